@@ -1,0 +1,1 @@
+//! The link: rows become packets, packets become bytes, and back.
