@@ -1,5 +1,14 @@
-//! Cameras, views and rows, shading and pixel formats.
+//! Cameras, pictures and their scanlines, shading and pixel formats.
 
+mod camera;
+mod picture;
 mod pixel;
+mod shade;
+mod size;
 
-pub use pixel::{Gray8, Pixel, PixelFormat, Rgb, Rgb565};
+pub use crate::solid::Rgb;
+pub use camera::{Camera, CameraError, Orthographic, Perspective};
+pub use picture::{Picture, RowError, Run, Sample, Scanline};
+pub use pixel::{Gray8, Pixel, PixelFormat, Rgb565};
+pub use shade::{Depth, Lambert, ShadeError, Shader, XRay};
+pub use size::{Size, SizeError};

@@ -3,39 +3,7 @@
 //! Everything here is integer arithmetic on eight-bit levels, so a pixel's bits depend on the
 //! level and the colour alone, not on the number type of the scene.
 
-/// A colour of eight bits per channel.
-///
-/// Where a format has fewer bits, channels are rounded to the nearest level.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Rgb {
-    /// Red, 0..=255.
-    pub r: u8,
-    /// Green, 0..=255.
-    pub g: u8,
-    /// Blue, 0..=255.
-    pub b: u8,
-}
-
-impl Rgb {
-    /// White: a solid without a colour of its own.
-    pub const WHITE: Self = Self::new(255, 255, 255);
-
-    /// A colour from its channels.
-    #[must_use]
-    pub const fn new(r: u8, g: u8, b: u8) -> Self {
-        Self { r, g, b }
-    }
-
-    /// The luma of the colour, 0..=255: `0.299 R + 0.587 G + 0.114 B`
-    /// (ITU-R BT.601-7, section 2.5.1).
-    #[must_use]
-    pub const fn luma(self) -> u8 {
-        // The weights times 2^16; they add up to 2^16 exactly, so white stays 255.
-        let sum = 19_595 * self.r as u32 + 38_470 * self.g as u32 + 7_471 * self.b as u32;
-        ((sum + 32_768) >> 16) as u8
-    }
-}
+use crate::solid::Rgb;
 
 /// The pixel formats that a frame can have, with their codes on the link.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -83,8 +51,8 @@ pub trait Pixel: Copy + Eq {
     /// The little-endian bytes of one pixel: `[u8; 1]` or `[u8; 2]`.
     type Bytes: AsRef<[u8]> + Copy;
 
-    /// The pixel of a surface of colour `colour`, lit with `level` (0 dark to 255 full).
-    fn shaded(colour: Rgb, level: u8) -> Self;
+    /// The pixel of a surface of this colour, lit with `level` (0 dark to 255 full).
+    fn shaded(color: Rgb, level: u8) -> Self;
 
     /// The pixel as it goes over the link.
     fn to_le_bytes(self) -> Self::Bytes;
@@ -99,8 +67,8 @@ impl Pixel for Gray8 {
     const FORMAT: PixelFormat = PixelFormat::Gray8;
     type Bytes = [u8; 1];
 
-    fn shaded(colour: Rgb, level: u8) -> Self {
-        Self(scale(colour.luma(), level))
+    fn shaded(color: Rgb, level: u8) -> Self {
+        Self(scale(color.luma(), level))
     }
 
     fn to_le_bytes(self) -> [u8; 1] {
@@ -117,10 +85,10 @@ impl Pixel for Rgb565 {
     const FORMAT: PixelFormat = PixelFormat::Rgb565;
     type Bytes = [u8; 2];
 
-    fn shaded(colour: Rgb, level: u8) -> Self {
-        let r = narrow(scale(colour.r, level), 31);
-        let g = narrow(scale(colour.g, level), 63);
-        let b = narrow(scale(colour.b, level), 31);
+    fn shaded(color: Rgb, level: u8) -> Self {
+        let r = narrow(scale(color.r, level), 31);
+        let g = narrow(scale(color.g, level), 63);
+        let b = narrow(scale(color.b, level), 31);
         Self((r << 11) | (g << 5) | b)
     }
 

@@ -1,0 +1,57 @@
+//! What every error type of the crate can do, written once.
+
+/// Gives an error enum its texts: `as_str` (`const`, for messages at compile time), `Display` and
+/// `core::error::Error`.
+macro_rules! error_text {
+    ($Error:ident { $($Variant:ident => $text:literal),+ $(,)? }) => {
+        impl $Error {
+            /// What is wrong, in a sentence.
+            #[must_use]
+            pub const fn as_str(self) -> &'static str {
+                match self {
+                    $(Self::$Variant => $text,)+
+                }
+            }
+        }
+
+        impl core::fmt::Display for $Error {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                f.write_str(self.as_str())
+            }
+        }
+
+        impl core::error::Error for $Error {}
+    };
+}
+pub(crate) use error_text;
+
+/// Takes the value out of a `Result` while compiling; an error becomes a compile error.
+///
+/// For solids that live in flash: the expression must be `const`, and its error one of this crate's.
+///
+/// ```
+/// use scancsg::{constant, solid::Cylinder};
+///
+/// const SHAFT: Cylinder<f32> = constant!(Cylinder::<f32>::along_x(0.0, 0.0, 0.5, -1.0, 1.0));
+/// # let _ = SHAFT;
+/// ```
+///
+/// A radius below zero does not compile:
+///
+/// ```compile_fail,E0080
+/// use scancsg::{constant, solid::Cylinder};
+///
+/// const SHAFT: Cylinder<f32> = constant!(Cylinder::<f32>::along_x(0.0, 0.0, -0.5, -1.0, 1.0));
+/// # let _ = SHAFT;
+/// ```
+#[macro_export]
+macro_rules! constant {
+    ($result:expr) => {
+        const {
+            match $result {
+                Ok(value) => value,
+                Err(error) => panic!("{}", error.as_str()),
+            }
+        }
+    };
+}

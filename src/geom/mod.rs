@@ -1,0 +1,11 @@
+//! Vectors, rays, rigid motions, and the rays of a picture as functions of the pixel.
+
+mod pixels;
+mod pose;
+mod ray;
+mod vec3;
+
+pub use pixels::{Column, Extent, Parallel, Pencil, Rays};
+pub use pose::Pose;
+pub use ray::{Line, Ray, RayError};
+pub use vec3::{Vec3, vec3};

@@ -1,0 +1,115 @@
+//! A line with a parameter, and the ray that a caller asks about.
+
+use super::Vec3;
+use crate::scalar::Scalar;
+
+/// A line `p(t) = origin + t · direction`, t from −∞ to +∞: what a solid is asked about.
+///
+/// The direction need not have length 1. Lines come out of [`Ray::new`] or out of a camera, which
+/// both keep the numbers in a range where the solids' formulas lose nothing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Line<S> {
+    /// The point at t = 0.
+    pub origin: Vec3<S>,
+    /// The way from t = 0 to t = 1; not zero.
+    pub direction: Vec3<S>,
+}
+
+impl<S: Scalar> Line<S> {
+    /// The point at parameter `t`.
+    #[must_use]
+    pub fn at(&self, t: S) -> Vec3<S> {
+        self.origin + self.direction * t
+    }
+}
+
+/// Why a ray can't be used.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum RayError {
+    /// A coordinate is infinite or NaN.
+    NotFinite,
+    /// The direction is zero.
+    ZeroDirection,
+}
+
+crate::error_text!(RayError {
+    NotFinite => "a coordinate of the ray is infinite or not a number",
+    ZeroDirection => "the direction of the ray is zero",
+});
+
+/// A ray `p(t) = origin + t · direction`, t ≥ 0, checked and made ready for any number of solids.
+///
+/// Two things are done once for all solids: the direction is scaled by a power of two to a length
+/// between 1 and 4, so that directions of length 10⁻³⁰ or 10³⁰ are ordinary; and where the ray
+/// starts far from everything, its parameter is counted from the point nearest to the scene's
+/// origin instead, so that the distance doesn't use up the digits that the solids need.
+/// Parameters handed to the caller are always those of the ray as it was given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Ray<S> {
+    line: Line<S>,
+    /// The line's parameter at the ray's start is −`offset`.
+    offset: S,
+    /// Of the caller's parameter for one of the line's.
+    scale: S,
+}
+
+impl<S: Scalar> Ray<S> {
+    /// A ray from `origin` along `direction`, which may have any length but zero.
+    ///
+    /// # Errors
+    /// [`RayError::NotFinite`] for infinite or NaN coordinates, [`RayError::ZeroDirection`].
+    pub fn new(origin: Vec3<S>, direction: Vec3<S>) -> Result<Self, RayError> {
+        if !origin.is_finite() || !direction.is_finite() {
+            return Err(RayError::NotFinite);
+        }
+        let largest = direction.max_abs();
+        if largest <= S::ZERO {
+            return Err(RayError::ZeroDirection);
+        }
+        let scale = largest.normalizing_power();
+        let direction = direction * scale;
+        let (origin, offset) = rebase(origin, direction);
+        Ok(Self { line: Line { origin, direction }, offset, scale })
+    }
+
+    /// The line that the ray lies on, with a parameter of its own.
+    #[must_use]
+    pub fn line(&self) -> &Line<S> {
+        &self.line
+    }
+
+    /// The line's parameter at the start of the ray.
+    #[must_use]
+    pub fn start(&self) -> S {
+        -self.offset
+    }
+
+    /// The ray's parameter for a parameter of its line.
+    #[must_use]
+    pub fn parameter(&self, of_line: S) -> S {
+        (of_line + self.offset) * self.scale
+    }
+}
+
+/// Moves the origin to about the point of the line nearest to (0, 0, 0), if that is much nearer.
+///
+/// Returns the new origin and the parameter at which it lies. The moved point's only error is
+/// the rounding of its coordinates, so moving pays when the old coordinates are much larger.
+fn rebase<S: Scalar>(origin: Vec3<S>, direction: Vec3<S>) -> (Vec3<S>, S) {
+    let offset = -(origin.dot_compensated(direction) / direction.length_squared());
+    let moved = Vec3::new(
+        S::add_product(origin.x, offset, direction.x),
+        S::add_product(origin.y, offset, direction.y),
+        S::add_product(origin.z, offset, direction.z),
+    );
+    let nearer_by = S::from_halves(2 * 64);
+    if origin.max_abs() > moved.max_abs() * nearer_by && moved.is_finite() {
+        (moved, offset)
+    } else {
+        (origin, S::ZERO)
+    }
+}

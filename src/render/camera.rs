@@ -1,0 +1,174 @@
+//! Cameras: where a picture is taken from.
+
+use super::Size;
+use crate::geom::{Parallel, Pencil, Rays, Vec3};
+use crate::scalar::Scalar;
+
+/// A camera that can hand out the rays of a picture.
+pub trait Camera {
+    /// The kind of rays.
+    type Rays: Rays;
+
+    /// The rays of a picture: square pixels, rays through pixel centres, the target in the middle.
+    fn rays(&self, size: Size) -> Self::Rays;
+}
+
+/// Why a camera can't be set up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum CameraError {
+    /// A coordinate is infinite or NaN.
+    NotFinite,
+    /// The viewing direction is zero: the eye lies on the target.
+    ZeroDirection,
+    /// The camera looks along its up vector, or that vector is zero.
+    UpAlongView,
+    /// The frame height is not a positive finite number.
+    FrameHeight,
+    /// The field of view is not between 0 and π.
+    FieldOfView,
+}
+
+crate::error_text!(CameraError {
+    NotFinite => "a coordinate of the camera is infinite or not a number",
+    ZeroDirection => "the camera has no viewing direction: the eye lies on the target",
+    UpAlongView => "the camera looks along its up vector, or that vector is zero",
+    FrameHeight => "the frame height of the camera is not a positive number",
+    FieldOfView => "the field of view of the camera is not between 0 and pi",
+});
+
+/// Where a camera looks, as a right-handed frame of unit vectors: right, down, forward.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+struct Gaze<S> {
+    target: Vec3<S>,
+    right: Vec3<S>,
+    down: Vec3<S>,
+    forward: Vec3<S>,
+}
+
+impl<S: Scalar> Gaze<S> {
+    fn new(target: Vec3<S>, along: Vec3<S>, up: Vec3<S>) -> Result<Self, CameraError> {
+        if !(target.is_finite() && along.is_finite() && up.is_finite()) {
+            return Err(CameraError::NotFinite);
+        }
+        let forward = along.normalized().ok_or(CameraError::ZeroDirection)?;
+        let up = up.normalized().ok_or(CameraError::UpAlongView)?;
+        let right = forward.cross(up).normalized().ok_or(CameraError::UpAlongView)?;
+        Ok(Self { target, right, down: forward.cross(right), forward })
+    }
+
+    fn parallel(&self, frame_height: S, size: Size) -> Parallel<S> {
+        let pitch = frame_height / S::from_halves(2 * i32::from(size.height()));
+        Parallel {
+            center: self.target,
+            right: self.right * pitch,
+            down: self.down * pitch,
+            forward: self.forward,
+            columns: u32::from(size.width()),
+        }
+    }
+}
+
+fn checked_height<S: Scalar>(frame_height: S) -> Result<S, CameraError> {
+    if frame_height.is_finite() && frame_height > S::ZERO {
+        Ok(frame_height)
+    } else {
+        Err(CameraError::FrameHeight)
+    }
+}
+
+/// A camera infinitely far away: all its rays are parallel, and it sees whole lines.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Orthographic<S> {
+    gaze: Gaze<S>,
+    frame_height: S,
+}
+
+impl<S: Scalar> Orthographic<S> {
+    /// A camera that looks from `eye` towards `target`, with `up` pointing upwards in the
+    /// picture, and shows `frame_height` units of the scene from its upper to its lower edge.
+    ///
+    /// # Errors
+    /// [`CameraError`], all but [`FieldOfView`](CameraError::FieldOfView).
+    pub fn look_at(
+        eye: Vec3<S>,
+        target: Vec3<S>,
+        up: Vec3<S>,
+        frame_height: S,
+    ) -> Result<Self, CameraError> {
+        Self::look_along(target - eye, target, up, frame_height)
+    }
+
+    /// A camera that looks along a direction, with `target` in the middle of its picture.
+    ///
+    /// # Errors
+    /// As [`look_at`](Self::look_at).
+    pub fn look_along(
+        direction: Vec3<S>,
+        target: Vec3<S>,
+        up: Vec3<S>,
+        frame_height: S,
+    ) -> Result<Self, CameraError> {
+        let gaze = Gaze::new(target, direction, up)?;
+        Ok(Self { gaze, frame_height: checked_height(frame_height)? })
+    }
+}
+
+impl<S: Scalar> Camera for Orthographic<S> {
+    type Rays = Parallel<S>;
+
+    fn rays(&self, size: Size) -> Parallel<S> {
+        self.gaze.parallel(self.frame_height, size)
+    }
+}
+
+/// A camera at a point: rays run from its eye through the pixels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Perspective<S> {
+    gaze: Gaze<S>,
+    distance: S,
+    /// In the plane through the target.
+    frame_height: S,
+}
+
+impl<S: Scalar> Perspective<S> {
+    /// A camera at `eye` that looks towards `target`, with `up` pointing upwards in the picture.
+    ///
+    /// `field_of_view` is the angle between the upper and the lower edge, in radians. The picture
+    /// is most exact near the target's distance, so `target` is best the middle of the scene.
+    ///
+    /// # Errors
+    /// [`CameraError`], all but [`FrameHeight`](CameraError::FrameHeight).
+    pub fn look_at(
+        eye: Vec3<S>,
+        target: Vec3<S>,
+        up: Vec3<S>,
+        field_of_view: S,
+    ) -> Result<Self, CameraError> {
+        let gaze = Gaze::new(target, target - eye, up)?;
+        if !(S::ZERO < field_of_view && field_of_view < S::PI) {
+            return Err(CameraError::FieldOfView);
+        }
+        let (sin, cos) = (field_of_view * S::from_halves(1)).sin_cos();
+        let distance = gaze.forward.dot_compensated(target - eye);
+        let frame_height = (distance + distance) * (sin / cos);
+        let frame_height = checked_height(frame_height).map_err(|_| CameraError::FieldOfView)?;
+        Ok(Self { gaze, distance, frame_height })
+    }
+}
+
+impl<S: Scalar> Camera for Perspective<S> {
+    type Rays = Pencil<S>;
+
+    fn rays(&self, size: Size) -> Pencil<S> {
+        Pencil {
+            plane: self.gaze.parallel(self.frame_height, size),
+            distance: self.distance,
+            convergence: S::ONE / self.distance,
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! Shading: from what a pixel's ray meets to a level of light.
+
+use super::Sample;
+use crate::geom::{Rays, Vec3};
+use crate::scalar::Scalar;
+use crate::solid::Solid;
+
+/// Turns what a pixel sees into a level, 0 (dark) to 255.
+///
+/// It is asked only for pixels that see a surface; the colour of the surface and the pixel format
+/// are applied to the level afterwards.
+pub trait Shader<S: Scalar> {
+    /// The level of a pixel.
+    fn level<T, R>(&self, sample: &Sample<'_, T, R>) -> u8
+    where
+        T: Solid<Scalar = S>,
+        R: Rays<Scalar = S>;
+}
+
+/// Why a shader can't be set up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum ShadeError {
+    /// The direction to the light is zero, infinite or NaN.
+    LightDirection,
+    /// The ambient light is not between 0 and 1.
+    Ambient,
+    /// The range of depths is empty, infinite or NaN.
+    DepthRange,
+    /// The thickness that is shown white is not a positive finite number.
+    Thickness,
+}
+
+crate::error_text!(ShadeError {
+    LightDirection => "the direction to the light is zero, infinite or not a number",
+    Ambient => "the ambient light is not between 0 and 1",
+    DepthRange => "the range of depths is empty, infinite or not a number",
+    Thickness => "the thickness shown white is not a positive number",
+});
+
+/// One directional light and ambient light, on a matt surface.
+///
+/// The level is `ambient + (1 − ambient) · max(0, n·l)` (Lambert's cosine law), n the normal on
+/// the seen side and l the direction to the light.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Lambert<S> {
+    to_light: Vec3<S>,
+    ambient: S,
+    /// 1 − ambient.
+    diffuse: S,
+}
+
+impl<S: Scalar> Lambert<S> {
+    /// A light in the direction `to_light` (of any length), and ambient light between 0 and 1.
+    ///
+    /// # Errors
+    /// [`ShadeError::LightDirection`], [`ShadeError::Ambient`].
+    pub fn new(to_light: Vec3<S>, ambient: S) -> Result<Self, ShadeError> {
+        let to_light = to_light.normalized().ok_or(ShadeError::LightDirection)?;
+        if !(S::ZERO <= ambient && ambient <= S::ONE) {
+            return Err(ShadeError::Ambient);
+        }
+        Ok(Self { to_light, ambient, diffuse: S::ONE - ambient })
+    }
+}
+
+impl<S: Scalar> Shader<S> for Lambert<S> {
+    fn level<T, R>(&self, sample: &Sample<'_, T, R>) -> u8
+    where
+        T: Solid<Scalar = S>,
+        R: Rays<Scalar = S>,
+    {
+        let cosine = sample.normal().dot(self.to_light);
+        (self.ambient + self.diffuse * cosine.max(S::ZERO)).to_level()
+    }
+}
+
+/// The depth of the seen surface: white at `near`, black at `far`.
+///
+/// Depths are in scene units along the viewing direction, counted from the plane through the
+/// camera's target; nearer is negative.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Depth<S> {
+    far: S,
+    /// 1/(far − near).
+    inverse_range: S,
+}
+
+impl<S: Scalar> Depth<S> {
+    /// White at depth `near`, black at depth `far`.
+    ///
+    /// # Errors
+    /// [`ShadeError::DepthRange`].
+    pub fn new(near: S, far: S) -> Result<Self, ShadeError> {
+        let inverse_range = S::ONE / (far - near);
+        if near < far && far.is_finite() && near.is_finite() && inverse_range.is_finite() {
+            Ok(Self { far, inverse_range })
+        } else {
+            Err(ShadeError::DepthRange)
+        }
+    }
+}
+
+impl<S: Scalar> Shader<S> for Depth<S> {
+    fn level<T, R>(&self, sample: &Sample<'_, T, R>) -> u8
+    where
+        T: Solid<Scalar = S>,
+        R: Rays<Scalar = S>,
+    {
+        ((self.far - sample.seen.t) * self.inverse_range).to_level()
+    }
+}
+
+/// The length of the ray's way inside the solid: the longer, the brighter, and white from a given
+/// thickness on. Cavities count for nothing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct XRay<S> {
+    /// 1/thickness.
+    inverse_thickness: S,
+}
+
+impl<S: Scalar> XRay<S> {
+    /// White where the ray is inside for `thickness` units of the scene or more.
+    ///
+    /// # Errors
+    /// [`ShadeError::Thickness`].
+    pub fn new(thickness: S) -> Result<Self, ShadeError> {
+        let inverse_thickness = S::ONE / thickness;
+        if thickness > S::ZERO && thickness.is_finite() && inverse_thickness.is_finite() {
+            Ok(Self { inverse_thickness })
+        } else {
+            Err(ShadeError::Thickness)
+        }
+    }
+}
+
+impl<S: Scalar> Shader<S> for XRay<S> {
+    fn level<T, R>(&self, sample: &Sample<'_, T, R>) -> u8
+    where
+        T: Solid<Scalar = S>,
+        R: Rays<Scalar = S>,
+    {
+        (sample.path_length() * self.inverse_thickness).to_level()
+    }
+}

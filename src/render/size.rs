@@ -1,0 +1,47 @@
+//! The size of a picture.
+
+/// Width and height of a picture in pixels; neither is zero.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Size {
+    width: u16,
+    height: u16,
+}
+
+/// Why a picture can't have a size.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum SizeError {
+    /// The width or the height is zero.
+    Zero,
+}
+
+crate::error_text!(SizeError {
+    Zero => "the width or the height of the picture is zero",
+});
+
+impl Size {
+    /// A size in pixels.
+    ///
+    /// # Errors
+    /// [`SizeError::Zero`].
+    pub const fn new(width: u16, height: u16) -> Result<Self, SizeError> {
+        if width == 0 || height == 0 {
+            return Err(SizeError::Zero);
+        }
+        Ok(Self { width, height })
+    }
+
+    /// The number of columns.
+    #[must_use]
+    pub const fn width(self) -> u16 {
+        self.width
+    }
+
+    /// The number of rows.
+    #[must_use]
+    pub const fn height(self) -> u16 {
+        self.height
+    }
+}

@@ -1,0 +1,197 @@
+//! [`Scalar`] for `f32` and `f64`, and their error-free transformations.
+
+use super::Scalar;
+
+/// The sum of two numbers and its rounding error, exactly: `a + b = sum + error`.
+///
+/// Knuth, *The Art of Computer Programming* vol. 2, section 4.2.2, theorem B. Exact for all
+/// finite inputs whose sum does not overflow.
+#[inline]
+pub fn two_sum<S: Scalar>(a: S, b: S) -> (S, S) {
+    let sum = a + b;
+    let b_rounded = sum - a;
+    let a_rounded = sum - b_rounded;
+    (sum, (a - a_rounded) + (b - b_rounded))
+}
+
+/// The product of two numbers and its rounding error, exactly: `a·b = product + error`.
+///
+/// Dekker, *A floating-point technique for extending the available precision*, Numerische
+/// Mathematik 18 (1971), with Veltkamp's split. It uses products and sums only, so it gives the
+/// same bits with and without an FMA unit. Exact unless an intermediate leaves the type's range.
+#[inline]
+pub fn two_product<S: Split>(a: S, b: S) -> (S, S) {
+    let product = a * b;
+    let (a_high, a_low) = a.split();
+    let (b_high, b_low) = b.split();
+    let error = a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low);
+    (product, error)
+}
+
+/// `a·b − c·d` from error-free products, good to 2 units in the last place.
+///
+/// Kahan's difference of products; the bound is that of Jeannerod, Louvet and Muller, *Further
+/// analysis of Kahan's algorithm for the accurate computation of 2×2 determinants*, Mathematics
+/// of Computation 82 (2013), section 4, with both products' errors kept.
+#[inline]
+pub fn product_difference<S: Split>(a: S, b: S, c: S, d: S) -> S {
+    let (ab, ab_error) = two_product(a, b);
+    let (cd, cd_error) = two_product(c, d);
+    (ab - cd) + (ab_error - cd_error)
+}
+
+/// The sum of three products in twice the working precision: algorithm `Dot2` of Ogita, Rump and
+/// Oishi, *Accurate sum and dot product*, SIAM Journal on Scientific Computing 26 (2005).
+#[inline]
+fn dot3<S: Split>(x: [S; 3], y: [S; 3]) -> S {
+    let (p0, e0) = two_product(x[0], y[0]);
+    let (p1, e1) = two_product(x[1], y[1]);
+    let (p2, e2) = two_product(x[2], y[2]);
+    let (s, f1) = two_sum(p0, p1);
+    let (s, f2) = two_sum(s, p2);
+    s + (((e0 + e1) + f1) + (e2 + f2))
+}
+
+/// A binary floating-point number that can be split into two halves of its precision.
+pub trait Split: Scalar {
+    /// High and low half: `self = high + low` exactly, and products of halves are exact.
+    fn split(self) -> (Self, Self);
+}
+
+macro_rules! float {
+    ($Float:ident, $Bits:ident, $splitter:literal, $sqrt:path, $sin_cos:path, $floor:path) => {
+        impl Split for $Float {
+            #[inline]
+            fn split(self) -> (Self, Self) {
+                let shifted = self * $splitter;
+                let high = shifted - (shifted - self);
+                (high, self - high)
+            }
+        }
+
+        impl Scalar for $Float {
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            const LOWEST: Self = $Float::NEG_INFINITY;
+            const HIGHEST: Self = $Float::INFINITY;
+            const PI: Self = core::$Float::consts::PI;
+            const EPSILON: Self = $Float::EPSILON;
+
+            #[inline]
+            fn from_halves(halves: i32) -> Self {
+                halves as $Float * 0.5
+            }
+
+            #[inline]
+            fn floor_to_i32(self) -> i32 {
+                $floor(self) as i32
+            }
+
+            #[inline]
+            fn to_level(self) -> u8 {
+                (self * 255.0 + 0.5) as u8
+            }
+
+            #[inline]
+            fn is_finite(self) -> bool {
+                $Float::is_finite(self)
+            }
+
+            #[inline]
+            fn abs(self) -> Self {
+                $Float::abs(self)
+            }
+
+            #[inline]
+            fn sqrt(self) -> Self {
+                $sqrt(self)
+            }
+
+            fn sin_cos(self) -> (Self, Self) {
+                $sin_cos(self)
+            }
+
+            #[inline]
+            fn normalizing_power(self) -> Self {
+                const MANTISSA: u32 = $Float::MANTISSA_DIGITS - 1;
+                const BIAS: $Bits = ($Float::MAX_EXP - 1) as $Bits;
+                let exponent = (self.to_bits() & !(1 << ($Bits::BITS - 1))) >> MANTISSA;
+                // 2^(bias − exponent); the largest numbers get the smallest normal power.
+                let field = (2 * BIAS).saturating_sub(exponent).max(1);
+                $Float::from_bits(field << MANTISSA)
+            }
+
+            #[inline]
+            fn product_difference(a: Self, b: Self, c: Self, d: Self) -> Self {
+                product_difference(a, b, c, d)
+            }
+
+            #[inline]
+            fn dot3(x: [Self; 3], y: [Self; 3]) -> Self {
+                dot3(x, y)
+            }
+
+            #[inline]
+            fn add_product(a: Self, b: Self, c: Self) -> Self {
+                let (product, product_error) = two_product(b, c);
+                let (sum, sum_error) = two_sum(a, product);
+                sum + (sum_error + product_error)
+            }
+        }
+    };
+}
+
+float!(f32, u32, 4097.0, libm::sqrtf, libm::sincosf, libm::floorf);
+float!(f64, u64, 134_217_729.0, libm::sqrt, libm::sincos, libm::floor);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn products_are_error_free(a in -1e6f32..1e6, b in -1e6f32..1e6) {
+            let (product, error) = two_product(a, b);
+            prop_assert_eq!(product, a * b);
+            // The exact product of two f32 fits an f64.
+            prop_assert_eq!(f64::from(product) + f64::from(error), f64::from(a) * f64::from(b));
+        }
+
+        #[test]
+        fn sums_are_error_free(a in -1e6f32..1e6, b in -1e-3f32..1e-3) {
+            let (sum, error) = two_sum(a, b);
+            prop_assert_eq!(sum, a + b);
+            prop_assert_eq!(f64::from(sum) + f64::from(error), f64::from(a) + f64::from(b));
+        }
+
+        #[test]
+        fn a_difference_of_products_survives_cancellation(
+            a in 1f32..2.0, b in 1f32..2.0, ulps in -3i32..=3,
+        ) {
+            // c·d is a·b moved by a few ulps: the naive difference has no correct digit left.
+            let c = f32::from_bits(a.to_bits().wrapping_add_signed(ulps));
+            let d = f32::from_bits(b.to_bits().wrapping_add_signed(1));
+            let exact = f64::from(a) * f64::from(b) - f64::from(c) * f64::from(d);
+            let got = f64::from(product_difference(a, b, c, d));
+            prop_assert!((got - exact).abs() <= 1.2e-7 * exact.abs(), "{got} against {exact}");
+        }
+
+        #[test]
+        fn powers_normalize(x in proptest::num::f32::POSITIVE | proptest::num::f32::SUBNORMAL) {
+            prop_assume!(x > 0.0);
+            let scaled = x * x.normalizing_power();
+            let limit = if x < f32::MAX / 2.0 { 2.0 } else { 4.0 };
+            prop_assert!(scaled < limit, "{x} became {scaled}");
+            prop_assert!(scaled >= 1.0 || x < f32::MIN_POSITIVE, "{x} became {scaled}");
+        }
+    }
+
+    #[test]
+    fn levels_clamp_and_round() {
+        let cases = [(-1.0, 0), (0.0, 0), (0.5, 128), (1.0, 255), (9.0, 255), (f32::NAN, 0)];
+        for (value, level) in cases {
+            assert_eq!(value.to_level(), level, "{value}");
+        }
+    }
+}

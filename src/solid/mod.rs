@@ -1,0 +1,180 @@
+//! Solids: primitives, boolean combinations of them, and what they answer to lines and pictures.
+//!
+//! A solid is a typed expression, and what it does not mention is not linked:
+//!
+//! ```
+//! use scancsg::geom::{Ray, vec3};
+//! use scancsg::solid::{Cylinder, Solid};
+//! use scancsg::span::SpanList;
+//!
+//! let shaft = Cylinder::<f32>::along_x(0.0, 0.0, 1.0, -2.0, 2.0)?;
+//! let bore = Cylinder::<f32>::along_x(0.0, 0.0, 0.5, -3.0, 3.0)?;
+//! let pipe = shaft - bore;
+//!
+//! let ray = Ray::new(vec3(0.0, 5.0, 0.0), vec3(0.0, -1.0, 0.0))?;
+//! let mut spans = SpanList::<_, 4>::new();
+//! let walls = pipe.trace(&ray, &mut spans);
+//! assert_eq!(walls.len(), 2);
+//! assert_eq!((walls[0].enter.t, walls[0].exit.t), (4.0, 4.5));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Three traits say what a solid can do: [`Shape`] counts (spans, faces), [`Solid`] answers single
+//! lines, and [`Project`] gets ready for a picture. A primitive of your own needs none of them: see
+//! [`Convex`].
+
+mod boolean;
+mod convex;
+mod cylinder;
+mod group;
+mod paint;
+mod placed;
+mod row;
+mod silhouette;
+mod slab;
+mod sphere;
+mod wall;
+
+pub use boolean::{Difference, Intersection, Union};
+pub use convex::Convex;
+pub use cylinder::{Cylinder, CylinderError};
+pub use paint::{Painted, Rgb};
+pub use placed::Placed;
+pub use row::{Project, Row, View};
+pub use slab::{Slab, SlabError};
+pub use sphere::{Sphere, SphereError};
+pub use wall::{CylinderWall, WallHit};
+
+use crate::geom::{Line, Ray, Vec3};
+use crate::scalar::Scalar;
+use crate::span::{Face, Span, SpanList, SpanStack};
+
+/// The counts of a solid that its type alone decides.
+pub trait Shape {
+    /// The number type of the solid.
+    type Scalar: Scalar;
+
+    /// The most spans that any line can have with the solid.
+    const SPANS: usize;
+
+    /// The most spans that are in memory at any time while the spans of a line are merged: the
+    /// capacity that a [`SpanList`] for this solid must have.
+    const STACK: usize;
+
+    /// The number of faces.
+    const FACES: u16;
+}
+
+/// A solid that answers lines.
+pub trait Solid: Shape {
+    /// Pushes the spans of the line with the solid, in ascending order and regularised, with
+    /// faces counted from `first` on.
+    fn spans(
+        &self,
+        line: &Line<Self::Scalar>,
+        first: Face,
+        stack: &mut SpanStack<'_, Self::Scalar>,
+    );
+
+    /// The normal of length 1 that points out of the solid, at a point on one of its faces.
+    fn normal(&self, face: Face, at: Vec3<Self::Scalar>) -> Vec3<Self::Scalar>;
+
+    /// The colour of a face, or `None` where nothing painted it.
+    fn color(&self, face: Face) -> Option<Rgb> {
+        let _ = face;
+        None
+    }
+
+    /// The spans of the whole line that `ray` lies on, in the ray's parameter: spans before the
+    /// start of the ray have parameters below zero.
+    ///
+    /// A ray that starts very far away may enter and exit a thin solid at parameters that round
+    /// to the same number; the span is reported all the same.
+    fn trace<'a, const N: usize>(
+        &self,
+        ray: &Ray<Self::Scalar>,
+        list: &'a mut SpanList<Self::Scalar, N>,
+    ) -> &'a [Span<Self::Scalar>] {
+        self.line_spans(ray.line(), list);
+        for span in list.as_mut_slice() {
+            span.enter.t = ray.parameter(span.enter.t);
+            span.exit.t = ray.parameter(span.exit.t);
+        }
+        list.as_slice()
+    }
+
+    /// What the ray sees: the first crossing at t ≥ 0. From inside the solid that is an exit, and
+    /// the normal points back into the solid, towards the ray's start.
+    fn hit<const N: usize>(
+        &self,
+        ray: &Ray<Self::Scalar>,
+        list: &mut SpanList<Self::Scalar, N>,
+    ) -> Option<Hit<Self::Scalar>> {
+        self.line_spans(ray.line(), list);
+        let seen = first_seen(list.as_slice(), ray.start())?;
+        let point = ray.line().at(seen.t);
+        let outward = self.normal(seen.face, point);
+        Some(Hit {
+            t: ray.parameter(seen.t),
+            face: seen.face,
+            point,
+            normal: if seen.inside { -outward } else { outward },
+            inside: seen.inside,
+        })
+    }
+
+    /// Fills the list with the spans of a line, in the line's own parameter.
+    fn line_spans<const N: usize>(
+        &self,
+        line: &Line<Self::Scalar>,
+        list: &mut SpanList<Self::Scalar, N>,
+    ) {
+        const {
+            assert!(N >= Self::STACK, "the span list is too small: see Shape::STACK of the solid");
+        }
+        self.spans(line, Face(0), &mut list.stack());
+    }
+}
+
+/// What a ray sees of a solid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Hit<S> {
+    /// The ray's parameter, ≥ 0.
+    pub t: S,
+    /// The face that is seen.
+    pub face: Face,
+    /// Where.
+    pub point: Vec3<S>,
+    /// The normal of length 1 on the side that is seen.
+    pub normal: Vec3<S>,
+    /// Whether the ray starts inside the solid, and sees the face from within.
+    pub inside: bool,
+}
+
+/// The first surface that is seen from parameter `start` on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Seen<S> {
+    /// The line's parameter.
+    pub t: S,
+    /// The face.
+    pub face: Face,
+    /// Whether it is seen from inside the solid.
+    pub inside: bool,
+}
+
+/// Looks for the first crossing at or after `start` in a sorted list of spans.
+///
+/// Ends that lie at infinity are no surface and are passed over.
+#[must_use]
+pub fn first_seen<S: Scalar>(spans: &[Span<S>], start: S) -> Option<Seen<S>> {
+    for span in spans {
+        for (crossing, inside) in [(span.enter, false), (span.exit, true)] {
+            if crossing.t >= start && crossing.t > S::LOWEST && crossing.t < S::HIGHEST {
+                return Some(Seen { t: crossing.t, face: crossing.face, inside });
+            }
+        }
+    }
+    None
+}

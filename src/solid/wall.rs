@@ -1,0 +1,90 @@
+//! The open cylinder: a wall without caps.
+
+use super::cylinder::{Cylinder, CylinderError, Meeting, Tube};
+use super::slab::Slab;
+use crate::geom::{Ray, Vec3};
+use crate::scalar::Scalar;
+
+/// The wall of a cylinder, without caps: a surface, not a solid, so it can't be combined.
+///
+/// It has the same extent as the [`Cylinder`] that it is made from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct CylinderWall<S> {
+    tube: Tube<S>,
+    caps: Slab<S>,
+}
+
+/// Where a ray meets the wall first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct WallHit<S> {
+    /// The ray's parameter, ≥ 0.
+    pub t: S,
+    /// Where.
+    pub point: Vec3<S>,
+    /// The normal of length 1 of the face that is seen: (0, y, z)/r in the cylinder's own frame,
+    /// and (0, −y, −z)/r where the inner face is seen.
+    pub normal: Vec3<S>,
+    /// Whether the inner face is seen.
+    pub inner: bool,
+}
+
+impl<S: Scalar> CylinderWall<S> {
+    /// The wall of a cylinder.
+    #[must_use]
+    pub const fn of(cylinder: &Cylinder<S>) -> Self {
+        Self { tube: cylinder.tube, caps: cylinder.caps }
+    }
+
+    /// The first point of the wall at t ≥ 0.
+    ///
+    /// Of the two points where the line meets the infinite cylinder, the first one counts that
+    /// lies on the ray and between the ends. So a ray that runs through the tube without touching
+    /// the wall meets nothing, one that looks in at an end sees the inner face, and so does one
+    /// that starts inside. A tangent ray touches the outer face. The rim belongs to the wall.
+    #[must_use]
+    pub fn hit(&self, ray: &Ray<S>) -> Option<WallHit<S>> {
+        let line = ray.line();
+        let Meeting::Chord { middle, half } = self.tube.meet(line) else { return None };
+        let x_at_zero = self.caps.normal.dot_compensated(line.origin);
+        let speed = self.caps.normal.dot_compensated(line.direction);
+        [(middle - half, false), (middle + half, true)]
+            .into_iter()
+            .find(|&(t, _)| {
+                let x = S::add_product(x_at_zero, t, speed);
+                t >= ray.start() && self.caps.low <= x && x <= self.caps.high
+            })
+            .map(|(t, inner)| {
+                let point = line.at(t);
+                let outward = self.tube.normal(point);
+                let normal = if inner { -outward } else { outward };
+                WallHit { t: ray.parameter(t), point, normal, inner }
+            })
+    }
+}
+
+macro_rules! constructors {
+    ($($Float:ident),+) => {$(
+        impl CylinderWall<$Float> {
+            /// The wall around the x axis' parallel at (`y`, `z`), from `x_min` to `x_max`.
+            ///
+            /// # Errors
+            /// As [`Cylinder::<f32>::along_x`](Cylinder::<f32>::along_x).
+            pub const fn along_x(
+                y: $Float,
+                z: $Float,
+                radius: $Float,
+                x_min: $Float,
+                x_max: $Float,
+            ) -> Result<Self, CylinderError> {
+                match Cylinder::<$Float>::along_x(y, z, radius, x_min, x_max) {
+                    Ok(cylinder) => Ok(Self::of(&cylinder)),
+                    Err(error) => Err(error),
+                }
+            }
+        }
+    )+};
+}
+
+constructors!(f32, f64);

@@ -1,0 +1,148 @@
+//! The boolean merge of two lists of spans.
+//!
+//! Both lists are walked together in ascending order, while the state says whether the line is in
+//! the left solid, in the right one, in both or in none. A crossing goes into the result when the
+//! state enters or leaves the states that define the operation. (S. D. Roth, *Ray casting for
+//! modeling solids*, Computer Graphics and Image Processing 18 (1982), section 4.)
+//!
+//! All crossings at one parameter are taken together before the state is looked at. That makes
+//! the result regularised and independent of the order of the operands, without any tolerance.
+
+use super::{Crossing, Span, SpanStack};
+use crate::scalar::Scalar;
+
+/// A boolean operation, as the set of states in which the line is inside the result.
+///
+/// Bit `left + 2·right` is set if the state belongs to the result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Operation(u8);
+
+impl Operation {
+    /// In the left, in the right or in both.
+    pub const UNION: Self = Self(0b1110);
+    /// In both.
+    pub const INTERSECTION: Self = Self(0b1000);
+    /// In the left only.
+    pub const DIFFERENCE: Self = Self(0b0010);
+
+    /// Whether the result is inside in this state.
+    #[must_use]
+    pub const fn holds(self, in_left: bool, in_right: bool) -> bool {
+        self.0 >> (in_left as u8 + 2 * in_right as u8) & 1 != 0
+    }
+
+    /// Whether the result is empty wherever the left operand is.
+    #[must_use]
+    pub const fn needs_left(self) -> bool {
+        !self.holds(false, true)
+    }
+}
+
+/// Replaces the two lists on top of the stack, the left one from `left` on and the right one from
+/// `right` on, by their merge.
+///
+/// Needs room above the stack for the result: at most as many spans as both lists have together.
+/// Each list is sorted and regularised, and so is the result. Where both lists cross at the same
+/// parameter, the face is that of the left.
+///
+/// ```
+/// use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
+///
+/// let span = |enter, exit| {
+///     let at = |t| Crossing { t, face: Face(0) };
+///     Span { enter: at(enter), exit: at(exit) }
+/// };
+/// let mut list = SpanList::<f32, 5>::new();
+/// let mut stack = list.stack();
+/// stack.push(span(0.0, 4.0)); // the left list
+/// stack.push(span(1.0, 2.0)); // the right list
+/// merge(Operation::DIFFERENCE, &mut stack, 0, 1);
+/// assert_eq!(*list, [span(0.0, 1.0), span(2.0, 4.0)]);
+/// ```
+pub fn merge<S: Scalar>(
+    operation: Operation,
+    stack: &mut SpanStack<'_, S>,
+    left: usize,
+    right: usize,
+) {
+    let end = stack.len();
+    let unchanged = (end == right && operation.holds(true, false))
+        || (left == right && operation.holds(false, true));
+    if unchanged {
+        return;
+    }
+    let mut left_crossings = Crossings { next: left, end: right, inside: false };
+    let mut right_crossings = Crossings { next: right, end, inside: false };
+    let mut entered: Option<Crossing<S>> = None;
+
+    loop {
+        let from_left = left_crossings.peek(stack);
+        let from_right = right_crossings.peek(stack);
+        let crossing = match (from_left, from_right) {
+            (None, None) => break,
+            (Some(crossing), None) => {
+                left_crossings.pass();
+                crossing
+            }
+            (None, Some(crossing)) => {
+                right_crossings.pass();
+                crossing
+            }
+            (Some(l), Some(r)) => {
+                if l.t <= r.t {
+                    left_crossings.pass();
+                }
+                if r.t <= l.t {
+                    right_crossings.pass();
+                }
+                if r.t < l.t { r } else { l }
+            }
+        };
+        let inside = operation.holds(left_crossings.inside, right_crossings.inside);
+        match (entered, inside) {
+            (None, true) => entered = Some(crossing),
+            (Some(enter), false) => {
+                stack.push(Span { enter, exit: crossing });
+                entered = None;
+            }
+            _ => {}
+        }
+    }
+
+    // The result moves down to where the left list began.
+    let mut to = left;
+    let mut from = end;
+    while let Some(&span) = stack.spans.get(from) {
+        if let Some(place) = stack.spans.get_mut(to) {
+            *place = span;
+        }
+        to += 1;
+        from += 1;
+    }
+    stack.spans.truncate(to);
+}
+
+/// A walk over the crossings of the spans from `next` to before `end`.
+struct Crossings {
+    next: usize,
+    end: usize,
+    /// Whether the span at `next` has been entered.
+    inside: bool,
+}
+
+impl Crossings {
+    #[inline]
+    fn peek<S: Scalar>(&self, stack: &SpanStack<'_, S>) -> Option<Crossing<S>> {
+        if self.next >= self.end {
+            return None;
+        }
+        let span = stack.spans.get(self.next)?;
+        Some(if self.inside { span.exit } else { span.enter })
+    }
+
+    #[inline]
+    fn pass(&mut self) {
+        self.next += usize::from(self.inside);
+        self.inside = !self.inside;
+    }
+}

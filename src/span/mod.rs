@@ -1,0 +1,82 @@
+//! Spans, lists of spans, and the boolean merge of two lists.
+//!
+//! A [`Span`] is a piece of a line that lies inside a solid: from the crossing where the line
+//! enters to the one where it exits. The list of a line with a solid is sorted and *regularised*:
+//! every span has a length, and there is a gap between any two. So a face that two solids share
+//! leaves no trace in their union, and a solid minus itself is empty.
+
+mod list;
+mod merge;
+
+pub use list::{SpanList, SpanStack};
+pub use merge::{Operation, merge};
+
+use crate::scalar::Scalar;
+
+/// The number of a face among all faces of a solid, counted from its first primitive on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Face(pub u16);
+
+impl Face {
+    /// The face `by` places further on.
+    #[must_use]
+    #[inline]
+    pub const fn offset(self, by: u16) -> Self {
+        Self(self.0.wrapping_add(by))
+    }
+}
+
+/// Where a line passes through the surface of a solid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Crossing<S> {
+    /// The parameter on the line. The lowest and highest values of the type mean that the solid
+    /// goes on for ever: no surface is there.
+    pub t: S,
+    /// The face that is crossed.
+    pub face: Face,
+}
+
+/// A piece of a line inside a solid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Span<S> {
+    /// Where the line enters.
+    pub enter: Crossing<S>,
+    /// Where it exits; at a larger parameter.
+    pub exit: Crossing<S>,
+}
+
+impl<S: Scalar> Span<S> {
+    /// The span between two crossings, or `None` if no length is left, or a parameter is NaN.
+    #[must_use]
+    #[inline]
+    pub fn new(enter: Crossing<S>, exit: Crossing<S>) -> Option<Self> {
+        (enter.t < exit.t).then_some(Self { enter, exit })
+    }
+
+    /// The whole line, which touches `face` nowhere.
+    #[must_use]
+    pub fn whole_line(face: Face) -> Self {
+        Self { enter: Crossing { t: S::LOWEST, face }, exit: Crossing { t: S::HIGHEST, face } }
+    }
+
+    /// What two spans share. Where both begin or end together, the face is that of `self`.
+    #[must_use]
+    #[inline]
+    pub fn overlap(self, other: Self) -> Option<Self> {
+        let enter = if other.enter.t > self.enter.t { other.enter } else { self.enter };
+        let exit = if other.exit.t < self.exit.t { other.exit } else { self.exit };
+        Self::new(enter, exit)
+    }
+
+    /// The same span with its faces counted from `first` on.
+    #[must_use]
+    #[inline]
+    pub(crate) fn with_faces_from(self, first: Face) -> Self {
+        let renumber =
+            |crossing: Crossing<S>| Crossing { face: first.offset(crossing.face.0), ..crossing };
+        Self { enter: renumber(self.enter), exit: renumber(self.exit) }
+    }
+}
