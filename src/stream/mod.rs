@@ -1,1 +1,60 @@
 //! The link: rows become packets, packets become bytes, and back.
+//!
+//! A sender renders a frame row by row and sends each row as one packet; a receiver puts the frame
+//! together and asks for what is missing. Rendering is deterministic, so the sender keeps nothing: it
+//! renders a row that was lost once more. The core does no I/O and allocates nothing, so a second
+//! microcontroller can receive as well as a host can.
+//!
+//! # Packets
+//!
+//! A packet is `[kind u8][body][CRC u32]`, all numbers little-endian. The CRC-32/ISO-HDLC (that of zlib)
+//! covers kind and body. The packet is framed by Consistent Overhead Byte Stuffing (S. Cheshire, M. Baker,
+//! IEEE/ACM Transactions on Networking 7(2), 1999), so that no byte of it is zero, and a zero byte ends it.
+//! Before a frame header a zero byte more cuts off whatever was on the line. Zeros between packets mean
+//! nothing.
+//!
+//! | kind | packet  | body                                                                               |
+//! |------|---------|------------------------------------------------------------------------------------|
+//! | 0x01 | header  | version `u8` (1), frame `u16`, width `u16`, height `u16`, pixel format `u8`        |
+//! | 0x02 | row     | frame `u16`, y `u16`, encoding `u8`, payload                                       |
+//! | 0x03 | end     | frame `u16`, hash `u32`                                                            |
+//! | 0x81 | request | frame `u16`, part `u8` (0 header, 1 row, 2 end), y `u16` (0 unless part is 1)      |
+//! | 0x82 | ack     | frame `u16`                                                                        |
+//!
+//! Kinds from 0x80 on go back from the receiver to the sender. Pixel formats have the codes of
+//! [`PixelFormat::code`](crate::render::PixelFormat::code). Encoding 0 is the pixels as they are, encoding 1
+//! PackBits (Apple Technical Note TN1023; TIFF 6.0, section 9) in units of pixels, not bytes; the sender
+//! takes the shorter one. The hash of the frame is the sum modulo 2^32 of its rows' hashes, and a row's hash
+//! is the CRC-32 of y (`u16`) and the row's pixels as they are ([`RowHash`], [`FrameHash`]).
+//!
+//! # Sizes
+//!
+//! In bytes on the line, terminator included, with P = width · bytes per pixel:
+//!
+//! | packet  | at most                             | 320 pixels of RGB565 |
+//! |---------|-------------------------------------|----------------------|
+//! | header  | 16                                  |                      |
+//! | row     | 11 + P + ⌈(P + 10) / 254⌉           | 654                  |
+//! | end     | 13                                  |                      |
+//! | request | 12                                  |                      |
+//! | ack     | 9                                   |                      |
+//!
+//! [`packet_capacity`] is the size of a buffer for all of them. An even row of 320 RGB565 pixels is three
+//! runs: 21 bytes.
+
+mod crc;
+mod decode;
+mod encode;
+mod packet;
+mod rle;
+
+pub use crc::{FrameHash, RowHash};
+pub use decode::Decoder;
+pub use encode::{
+    CONTROL_CAPACITY, EncodeError, encode_ack, encode_end, encode_header, encode_request,
+    encode_row, packet_capacity,
+};
+pub use packet::{
+    Encoding, FrameHeader, PROTOCOL_VERSION, Packet, PacketError, Part, Request, RowPayload,
+    UnpackError,
+};
