@@ -41,12 +41,61 @@
 //!
 //! [`packet_capacity`] is the size of a buffer for all of them. An even row of 320 RGB565 pixels is three
 //! runs: 21 bytes.
+//!
+//! # Repair
+//!
+//! The [`Decoder`] drops a damaged packet and finds the next one; nothing is ever repeated unasked.
+//!
+//! 1. The sender sends header, rows and end ([`Sender::begin`], [`row`](Sender::row), [`end`](Sender::end)).
+//! 2. At the end, or when the line has gone quiet, the receiver sends [`Receiver::requests`]: the header if it
+//!    never came, else the missing rows, else the end.
+//! 3. The sender answers with [`header_again`](Sender::header_again), [`resend_row`](Sender::resend_row) or
+//!    [`end_again`](Sender::end_again), and ignores requests for frames other than its own.
+//! 4. When all rows are there and the hash is right, the receiver acknowledges. A sender that hears nothing
+//!    for a while says [`end_again`](Sender::end_again): the receiver asks or acknowledges once more.
+//!
+//! Without a back channel, steps 2 to 4 fall away, and the receiver knows which rows it lacks.
+//!
+//! # Example
+//!
+//! ```
+//! use scancsg::render::{Gray8, PixelFormat};
+//! use scancsg::stream::{Decoder, Event, FrameHeader, Receiver, Sender, packet_capacity};
+//!
+//! const CAPACITY: usize = packet_capacity(4, PixelFormat::Gray8);
+//! let rows = [[1, 2, 3, 4].map(Gray8), [9, 9, 9, 9].map(Gray8)];
+//!
+//! // The sender's side; the line is a slice, which is a writer too.
+//! let mut line = [0; 128];
+//! let mut sender: Sender<_, CAPACITY> = Sender::new(&mut line[..]);
+//! sender.begin(FrameHeader { frame: 1, width: 4, height: 2, format: PixelFormat::Gray8 })?;
+//! for (y, row) in (0..).zip(&rows) {
+//!     sender.row(y, row)?;
+//! }
+//! sender.end()?;
+//! let sent = sender.bytes_sent() as usize;
+//!
+//! // The receiver's side.
+//! let (mut pixels, mut flags) = ([0; 8], [false; 2]);
+//! let mut receiver = Receiver::new(&mut pixels, &mut flags);
+//! let mut decoder: Decoder<CAPACITY> = Decoder::new();
+//! let mut bytes = &line[..sent];
+//! let mut last = None;
+//! while let Some(packet) = decoder.feed(&mut bytes) {
+//!     last = Some(receiver.accept(&packet?)?);
+//! }
+//! assert_eq!(last, Some(Event::Complete));
+//! assert_eq!(receiver.pixels(), [1, 2, 3, 4, 9, 9, 9, 9]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod crc;
 mod decode;
 mod encode;
 mod packet;
+mod receiver;
 mod rle;
+mod sender;
 
 pub use crc::{FrameHash, RowHash};
 pub use decode::Decoder;
@@ -58,3 +107,5 @@ pub use packet::{
     Encoding, FrameHeader, PROTOCOL_VERSION, Packet, PacketError, Part, Request, RowPayload,
     UnpackError,
 };
+pub use receiver::{Event, ReceiveError, Receiver};
+pub use sender::{SendError, Sender};
