@@ -20,26 +20,17 @@ const ROW_RAW: &[u8] = &[
 const ROW_PACKED: &[u8] = &[
     0x03, 0x02, 0x07, 0x06, 0x02, 0x01, 0x01, 0xFD, 0x80, 0x01, 0x05, 0x44, 0xEB, 0x84, 0x77, 0x00,
 ];
-const END: &[u8] = &[
-    0x03, 0x03, 0x07, 0x09, 0x60, 0x8B, 0x13, 0xC7, 0xB8, 0xE0, 0x28, 0x03, 0x00,
-];
-const REQUEST_HEADER: &[u8] = &[
-    0x03, 0x81, 0x07, 0x01, 0x01, 0x01, 0x05, 0xCE, 0xBA, 0x0E, 0xD6, 0x00,
-];
-const REQUEST_ROW: &[u8] = &[
-    0x03, 0x81, 0x07, 0x08, 0x01, 0x02, 0x01, 0xED, 0x82, 0xFD, 0x92, 0x00,
-];
-const REQUEST_END: &[u8] = &[
-    0x03, 0x81, 0x07, 0x02, 0x02, 0x01, 0x05, 0xA0, 0x6E, 0x8A, 0xD5, 0x00,
-];
+const END: &[u8] = &[0x03, 0x03, 0x07, 0x09, 0x60, 0x8B, 0x13, 0xC7, 0xB8, 0xE0, 0x28, 0x03, 0x00];
+const REQUEST_HEADER: &[u8] =
+    &[0x03, 0x81, 0x07, 0x01, 0x01, 0x01, 0x05, 0xCE, 0xBA, 0x0E, 0xD6, 0x00];
+const REQUEST_ROW: &[u8] =
+    &[0x03, 0x81, 0x07, 0x08, 0x01, 0x02, 0x01, 0xED, 0x82, 0xFD, 0x92, 0x00];
+const REQUEST_END: &[u8] =
+    &[0x03, 0x81, 0x07, 0x02, 0x02, 0x01, 0x05, 0xA0, 0x6E, 0x8A, 0xD5, 0x00];
 const ACK: &[u8] = &[0x03, 0x82, 0x07, 0x05, 0x3B, 0x80, 0xB1, 0x52, 0x00];
 
-const A_HEADER: FrameHeader = FrameHeader {
-    frame: 0x1234,
-    width: 320,
-    height: 240,
-    format: PixelFormat::Rgb565,
-};
+const A_HEADER: FrameHeader =
+    FrameHeader { frame: 0x1234, width: 320, height: 240, format: PixelFormat::Rgb565 };
 
 fn request(part: Part) -> Request {
     Request { frame: 7, part }
@@ -49,10 +40,7 @@ fn request(part: Part) -> Request {
 fn encoded(encode: impl FnOnce(&mut [u8]) -> Result<usize, EncodeError>) -> Vec<u8> {
     let mut buffer = vec![0xAA; 140_000];
     let len = encode(&mut buffer).unwrap();
-    assert!(
-        buffer[len..].iter().all(|&b| b == 0xAA),
-        "written past the end"
-    );
+    assert!(buffer[len..].iter().all(|&b| b == 0xAA), "written past the end");
     buffer.truncate(len);
     buffer
 }
@@ -158,14 +146,8 @@ fn golden_bytes_are_read() {
         payload: RowPayload { encoding, bytes },
     };
     check(HEADER, Packet::Header(A_HEADER));
-    check(
-        ROW_RAW,
-        row(0x1234, 5, Encoding::Raw, &[0x34, 0x12, 0x00, 0xF8]),
-    );
-    check(
-        ROW_PACKED,
-        row(7, 258, Encoding::PackBits, &[0xFD, 0x80, 0, 0]),
-    );
+    check(ROW_RAW, row(0x1234, 5, Encoding::Raw, &[0x34, 0x12, 0x00, 0xF8]));
+    check(ROW_PACKED, row(7, 258, Encoding::PackBits, &[0xFD, 0x80, 0, 0]));
     let hash = FrameHash::from_value(0xC713_8B60);
     check(END, Packet::End { frame: 7, hash });
     check(REQUEST_HEADER, Packet::Request(request(Part::Header)));
@@ -196,10 +178,7 @@ fn each_wrong_thing_has_its_error() {
     assert_eq!(error(&with(0, 4)), PacketError::Kind);
     // Another version may be of another length, and is still named as what it is.
     assert_eq!(error(&sealed(&[1, 2])), PacketError::Version);
-    assert_eq!(
-        error(&sealed(&[2, 7, 0, 0, 0, 2, 9])),
-        PacketError::Encoding
-    );
+    assert_eq!(error(&sealed(&[2, 7, 0, 0, 0, 2, 9])), PacketError::Encoding);
     assert_eq!(error(&sealed(&[0x81, 7, 0, 3, 0, 0])), PacketError::Part);
 
     // Every kind, one byte short and (but for rows) one too long.
@@ -236,19 +215,9 @@ fn each_wrong_thing_has_its_error() {
 #[test]
 fn encoders_refuse_what_they_must_and_prefer_raw() {
     let mut buffer = [0; 256];
-    let flat = |width, height| FrameHeader {
-        width,
-        height,
-        ..A_HEADER
-    };
-    assert_eq!(
-        encode_header(flat(0, 1), &mut buffer),
-        Err(EncodeError::Size)
-    );
-    assert_eq!(
-        encode_header(flat(1, 0), &mut buffer),
-        Err(EncodeError::Size)
-    );
+    let flat = |width, height| FrameHeader { width, height, ..A_HEADER };
+    assert_eq!(encode_header(flat(0, 1), &mut buffer), Err(EncodeError::Size));
+    assert_eq!(encode_header(flat(1, 0), &mut buffer), Err(EncodeError::Size));
     let none: [Gray8; 0] = [];
     assert_eq!(encode_row(1, 0, &none, &mut buffer), Err(EncodeError::Size));
     let wide = vec![Gray8(0); 65_536];
@@ -303,9 +272,7 @@ fn capacity_is_the_worst_case() {
         // is missed by one.
         assert!(longest + 1 >= bound, "{width}: {longest} < {bound}");
     }
-    for width in [
-        1, 2, 3, 7, 120, 121, 122, 123, 243, 244, 245, 300, 509, 65_535,
-    ] {
+    for width in [1, 2, 3, 7, 120, 121, 122, 123, 243, 244, 245, 300, 509, 65_535] {
         check(width, |x| Gray8(1 + (x % 255) as u8));
         check(width, |x| Rgb565(0x0101 + (x % 255) * 0x0100));
     }
@@ -314,19 +281,15 @@ fn capacity_is_the_worst_case() {
 
 #[test]
 fn worked_example_of_tn1023() {
-    let packed = [
-        0xFE, 0xAA, 0x02, 0x80, 0x00, 0x2A, 0xFD, 0xAA, 0x03, 0x80, 0x00, 0x2A, 0x22, 0xF7, 0xAA,
-    ];
+    let packed =
+        [0xFE, 0xAA, 0x02, 0x80, 0x00, 0x2A, 0xFD, 0xAA, 0x03, 0x80, 0x00, 0x2A, 0x22, 0xF7, 0xAA];
     let unpacked = [
         0xAA, 0xAA, 0xAA, 0x80, 0x00, 0x2A, 0xAA, 0xAA, 0xAA, 0xAA, 0x80, 0x00, 0x2A, 0x22, 0xAA,
         0xAA, 0xAA, 0xAA, 0xAA, 0xAA, 0xAA, 0xAA, 0xAA, 0xAA,
     ];
     assert_eq!(plain_unpack(&packed, 1), unpacked);
     let mut row = [0; 24];
-    assert_eq!(
-        payload(&packed).unpack(PixelFormat::Gray8, &mut row),
-        Ok(())
-    );
+    assert_eq!(payload(&packed).unpack(PixelFormat::Gray8, &mut row), Ok(()));
     assert_eq!(row, unpacked);
     // The encoder finds the same 15 bytes.
     let whole = encoded(|b| encode_row(1, 0, &unpacked.map(Gray8), b));
@@ -334,10 +297,7 @@ fn worked_example_of_tn1023() {
 }
 
 fn payload(bytes: &[u8]) -> RowPayload<'_> {
-    RowPayload {
-        encoding: Encoding::PackBits,
-        bytes,
-    }
+    RowPayload { encoding: Encoding::PackBits, bytes }
 }
 
 #[test]
@@ -356,10 +316,7 @@ fn bad_payloads_are_errors_and_write_nothing() {
     check(payload(&[0xFD, 1, 0, 1]), gray, UnpackError::TooLong);
     check(payload(&[0xFE, 1]), gray, UnpackError::TooShort);
     check(payload(&[0x80, 0x80]), gray, UnpackError::TooShort);
-    let raw = |bytes| RowPayload {
-        encoding: Encoding::Raw,
-        bytes,
-    };
+    let raw = |bytes| RowPayload { encoding: Encoding::Raw, bytes };
     check(raw(&[1, 2, 3]), gray, UnpackError::TooShort);
     check(raw(&[1, 2, 3, 4, 5]), rgb, UnpackError::TooLong);
     // No-ops are skipped wherever they stand.
@@ -372,16 +329,8 @@ fn bad_payloads_are_errors_and_write_nothing() {
 /// A packet with one bit flipped is refused or says what it said before; a packet cut short is refused.
 #[test]
 fn single_bit_flips_never_change_a_packet() {
-    for packet in [
-        HEADER,
-        ROW_RAW,
-        ROW_PACKED,
-        END,
-        REQUEST_HEADER,
-        REQUEST_ROW,
-        REQUEST_END,
-        ACK,
-    ] {
+    for packet in [HEADER, ROW_RAW, ROW_PACKED, END, REQUEST_HEADER, REQUEST_ROW, REQUEST_END, ACK]
+    {
         let good = decode_all::<64>(packet);
         assert_eq!(good.len(), 1);
         for bit in 0..packet.len() * 8 {
@@ -392,10 +341,7 @@ fn single_bit_flips_never_change_a_packet() {
             let results = decode_all::<64>(&bytes);
             assert!(!results.is_empty());
             for result in results {
-                assert!(
-                    result.starts_with("Err") || result == good[0],
-                    "bit {bit}: {result}"
-                );
+                assert!(result.starts_with("Err") || result == good[0], "bit {bit}: {result}");
             }
         }
         for len in 1..packet.len() - 1 {
@@ -414,10 +360,7 @@ fn bad_packets_do_not_swallow_good_ones() {
         (&[0xFF, 1, 2, 3], "Err(Framing)"),
         (&[0xFF], "Err(Framing)"),
         (&[0x01], "Err(Length)"),
-        (
-            &[0x03, 0x82, 0x07, 0x05, 0x3B, 0x80, 0xB1, 0x53],
-            "Err(Crc)",
-        ),
+        (&[0x03, 0x82, 0x07, 0x05, 0x3B, 0x80, 0xB1, 0x53], "Err(Crc)"),
         (&long, "Err(TooLong)"),
         (&[1; 100], "Err(TooLong)"),
     ] {
@@ -434,17 +377,13 @@ fn rows() -> impl Strategy<Value = Vec<u8>> {
     let noise = proptest::collection::vec(any::<u8>(), 1..700);
     let runs = proptest::collection::vec((0..3_u8, 1..200_usize), 1..20).prop_map(|runs| {
         let runs = runs.into_iter();
-        runs.flat_map(|(value, count)| std::iter::repeat_n(value, count))
-            .collect()
+        runs.flat_map(|(value, count)| std::iter::repeat_n(value, count)).collect()
     });
     prop_oneof![noise, runs]
 }
 
 fn check_row<P: Pixel>(pixels: &[P]) -> Result<(), TestCaseError> {
-    let bytes: Vec<u8> = pixels
-        .iter()
-        .flat_map(|p| p.to_le_bytes().as_ref().to_vec())
-        .collect();
+    let bytes: Vec<u8> = pixels.iter().flat_map(|p| p.to_le_bytes().as_ref().to_vec()).collect();
     let packet = encoded(|b| encode_row(3, 9, pixels, b));
     prop_assert!(packet.len() <= packet_capacity(pixels.len() as u16, P::FORMAT));
     let mut decoder = Decoder::<8192>::new();

@@ -24,12 +24,7 @@ struct Line {
 
 impl Line {
     fn new() -> Self {
-        Self {
-            bytes: Vec::new(),
-            room: usize::MAX,
-            writes: Vec::new(),
-            flushes: 0,
-        }
+        Self { bytes: Vec::new(), room: usize::MAX, writes: Vec::new(), flushes: 0 }
     }
 
     fn take(&mut self) -> Vec<u8> {
@@ -67,12 +62,7 @@ fn sender() -> TestSender {
 }
 
 fn header(frame: u16) -> FrameHeader {
-    FrameHeader {
-        frame,
-        width: 4,
-        height: 3,
-        format: PixelFormat::Gray8,
-    }
+    FrameHeader { frame, width: 4, height: 3, format: PixelFormat::Gray8 }
 }
 
 /// Row `y` of a small grey frame whose pixels are different in every frame and row.
@@ -81,9 +71,7 @@ fn gray_row(frame: u16, y: u16) -> [Gray8; 4] {
 }
 
 fn gray_frame(frame: u16) -> Vec<u8> {
-    (0..3)
-        .flat_map(|y| gray_row(frame, y).map(|p| p.0))
-        .collect()
+    (0..3).flat_map(|y| gray_row(frame, y).map(|p| p.0)).collect()
 }
 
 /// The bytes of each packet of a small grey frame: header, three rows, end.
@@ -116,16 +104,11 @@ fn receive(
 }
 
 fn started(frame: u16, lost: Option<u16>) -> Event {
-    Event::Started {
-        header: header(frame),
-        lost,
-    }
+    Event::Started { header: header(frame), lost }
 }
 
 fn row_bytes<P: Pixel>(row: &[P]) -> Vec<u8> {
-    row.iter()
-        .flat_map(|p| p.to_le_bytes().as_ref().to_vec())
-        .collect()
+    row.iter().flat_map(|p| p.to_le_bytes().as_ref().to_vec()).collect()
 }
 
 fn check_frame<P: Pixel>(frame: u16, width: u16, pixels: &[P]) -> Result<(), TestCaseError> {
@@ -328,33 +311,21 @@ fn packets_that_do_not_fit_leave_the_frame_alone() {
         assert_eq!(receiver.row(2), None);
         receiver.requests().collect::<Vec<_>>()
     };
-    let resized = |width, height, format| {
-        Packet::Header(FrameHeader {
-            frame: 6,
-            width,
-            height,
-            format,
-        })
-    };
+    let resized =
+        |width, height, format| Packet::Header(FrameHeader { frame: 6, width, height, format });
     let gray = PixelFormat::Gray8;
     refuse(resized(4, 4, gray), ReceiveError::TooLarge);
     refuse(resized(5, 3, gray), ReceiveError::TooLarge);
     refuse(resized(3, 4, gray), ReceiveError::TooLarge);
     refuse(resized(4, 3, PixelFormat::Rgb565), ReceiveError::TooLarge);
-    refuse(
-        resized(u16::MAX, u16::MAX, PixelFormat::Rgb565),
-        ReceiveError::TooLarge,
-    );
+    refuse(resized(u16::MAX, u16::MAX, PixelFormat::Rgb565), ReceiveError::TooLarge);
     refuse(resized(0, 3, gray), ReceiveError::Size);
     refuse(resized(4, 0, gray), ReceiveError::Size);
 
     let row = |frame, y, bytes| Packet::Row {
         frame,
         y,
-        payload: RowPayload {
-            encoding: Encoding::Raw,
-            bytes,
-        },
+        payload: RowPayload { encoding: Encoding::Raw, bytes },
     };
     let pixels = [7; 5];
     refuse(row(5, 3, &pixels[..4]), ReceiveError::Row);
@@ -398,10 +369,7 @@ fn a_wrong_hash_makes_all_rows_missing() {
         let row = |y, value: &'static [u8; 4]| Packet::Row {
             frame: 1,
             y,
-            payload: RowPayload {
-                encoding: Encoding::Raw,
-                bytes: value,
-            },
+            payload: RowPayload { encoding: Encoding::Raw, bytes: value },
         };
         let mut hash = FrameHash::new();
         for y in 0..3 {
@@ -441,17 +409,10 @@ fn a_sender_refuses_what_is_not_its_frame() {
     assert_eq!(sender.header_again(), Err(SendError::NoFrame));
     assert_eq!(sender.end(), Err(SendError::NoFrame));
     assert_eq!(sender.end_again(), Err(SendError::NoFrame));
-    let wide = FrameHeader {
-        width: 65,
-        format: PixelFormat::Rgb565,
-        ..header(1)
-    };
+    let wide = FrameHeader { width: 65, format: PixelFormat::Rgb565, ..header(1) };
     let too_small = SendError::Encode(EncodeError::BufferTooSmall);
     assert_eq!(sender.begin(wide), Err(too_small));
-    let empty = FrameHeader {
-        height: 0,
-        ..header(1)
-    };
+    let empty = FrameHeader { height: 0, ..header(1) };
     let no_pixels = SendError::Encode(EncodeError::Size);
     assert_eq!(sender.begin(empty), Err(no_pixels));
     assert_eq!(sender.header(), None);
@@ -528,18 +489,10 @@ fn errors_are_errors() {
     }
     let io = SendError::Io(ErrorKind::BrokenPipe);
     check(&io, "writer failed", true);
-    check(
-        &SendError::<ErrorKind>::Order,
-        SendError::<()>::Order.as_str(),
-        false,
-    );
+    check(&SendError::<ErrorKind>::Order, SendError::<()>::Order.as_str(), false);
     check(&ReceiveError::Row, ReceiveError::Row.as_str(), false);
     check(&EncodeError::Size, EncodeError::Size.as_str(), false);
-    check(
-        &UnpackError::Truncated,
-        UnpackError::Truncated.as_str(),
-        false,
-    );
+    check(&UnpackError::Truncated, UnpackError::Truncated.as_str(), false);
 }
 
 /// Knuth's MMIX generator; the upper bits are the good ones.
@@ -547,10 +500,8 @@ struct Lcg(u64);
 
 impl Lcg {
     fn below(&mut self, n: u64) -> u64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) % n
     }
 
@@ -582,12 +533,7 @@ fn scene<P: Pixel>(y: u16, pixel: fn(u16) -> P) -> Vec<P> {
 /// Sends one frame over a lossy line in both directions until the sender hears the acknowledgement.
 /// Returns how many rounds it took.
 fn repair<P: Pixel>(seed: u64, one_in: u64, pixel: fn(u16) -> P) -> usize {
-    let header = FrameHeader {
-        frame: seed as u16,
-        width: 40,
-        height: 30,
-        format: P::FORMAT,
-    };
+    let header = FrameHeader { frame: seed as u16, width: 40, height: 30, format: P::FORMAT };
     let expected: Vec<u8> = (0..30).flat_map(|y| row_bytes(&scene(y, pixel))).collect();
     let mut noise = Lcg(seed);
     let mut memory = vec![0; expected.len()];

@@ -123,10 +123,7 @@ mod tests {
         // zlib.crc32(bytes([0x02, 0x01, 0x0A, 0x14]))
         assert_eq!(RowHash::of(0x0102, &[Gray8(10), Gray8(20)]), 0x6ABA_4157);
         // zlib.crc32(bytes([0x02, 0x01, 0x34, 0x12, 0x78, 0x56]))
-        assert_eq!(
-            RowHash::of(0x0102, &[Rgb565(0x1234), Rgb565(0x5678)]),
-            0xC46F_36CF
-        );
+        assert_eq!(RowHash::of(0x0102, &[Rgb565(0x1234), Rgb565(0x5678)]), 0xC46F_36CF);
     }
 
     #[test]

@@ -35,10 +35,7 @@ impl<const N: usize> Decoder<N> {
     /// A decoder at the start of a packet.
     #[must_use]
     pub const fn new() -> Self {
-        Self {
-            buffer: [0; N],
-            framing: Framing::new(),
-        }
+        Self { buffer: [0; N], framing: Framing::new() }
     }
 
     /// Takes in one byte. Returns the packet that it completes, or what is wrong with it.
@@ -82,11 +79,7 @@ struct Framing {
 
 impl Framing {
     const fn new() -> Self {
-        Self {
-            cobs: DecoderState::Idle,
-            len: 0,
-            skipping: false,
-        }
+        Self { cobs: DecoderState::Idle, len: 0, skipping: false }
     }
 
     /// Takes in one byte. At the end of a packet: its size in the buffer, or why it has none.

@@ -37,11 +37,7 @@ pub const CONTROL_CAPACITY: usize = 1 + framed(HEADER_LEN);
 pub const fn packet_capacity(width: u16, format: PixelFormat) -> usize {
     let pixels = (width as usize).saturating_mul(format.bytes_per_pixel());
     let row = framed(pixels.saturating_add(ROW_OVERHEAD));
-    if row > CONTROL_CAPACITY {
-        row
-    } else {
-        CONTROL_CAPACITY
-    }
+    if row > CONTROL_CAPACITY { row } else { CONTROL_CAPACITY }
 }
 
 /// The most bytes that a packet of `len` bytes takes on the link: one COBS code byte per 254 bytes begun,
@@ -88,10 +84,7 @@ struct Encoder<'a> {
 
 impl<'a> Encoder<'a> {
     fn new(buffer: &'a mut [u8]) -> Self {
-        Self {
-            cobs: CobsEncoder::new(buffer),
-            crc: crc32_start(),
-        }
+        Self { cobs: CobsEncoder::new(buffer), crc: crc32_start() }
     }
 
     /// Takes in the next bytes of kind and body.
@@ -103,9 +96,7 @@ impl<'a> Encoder<'a> {
     /// Takes in bytes that the checksum does not cover. They must not be none: after a full block of 254
     /// an empty push makes this encoder count one byte too many.
     fn frame(&mut self, bytes: &[u8]) -> Result<(), EncodeError> {
-        self.cobs
-            .push(bytes)
-            .map_err(|_| EncodeError::BufferTooSmall)
+        self.cobs.push(bytes).map_err(|_| EncodeError::BufferTooSmall)
     }
 
     /// Adds the checksum. Returns the size of the COBS frame, which may be beyond the buffer: the COBS
@@ -147,20 +138,8 @@ pub fn encode_header(header: FrameHeader, buffer: &mut [u8]) -> Result<usize, En
     let [w0, w1] = header.width.to_le_bytes();
     let [h0, h1] = header.height.to_le_bytes();
     let format = header.format.code();
-    let content = [
-        kind::HEADER,
-        PROTOCOL_VERSION,
-        f0,
-        f1,
-        w0,
-        w1,
-        h0,
-        h1,
-        format,
-    ];
-    let (cut, rest) = buffer
-        .split_first_mut()
-        .ok_or(EncodeError::BufferTooSmall)?;
+    let content = [kind::HEADER, PROTOCOL_VERSION, f0, f1, w0, w1, h0, h1, format];
+    let (cut, rest) = buffer.split_first_mut().ok_or(EncodeError::BufferTooSmall)?;
     *cut = 0;
     Ok(1 + encode_whole(&content, rest)?)
 }
@@ -189,11 +168,7 @@ pub fn encode_row<P: Pixel>(
         return Err(EncodeError::Size);
     }
     let raw = pixels.len().saturating_mul(P::FORMAT.bytes_per_pixel());
-    let encoding = if rle::packed_len(pixels) < raw {
-        Encoding::PackBits
-    } else {
-        Encoding::Raw
-    };
+    let encoding = if rle::packed_len(pixels) < raw { Encoding::PackBits } else { Encoding::Raw };
     let [f0, f1] = frame.to_le_bytes();
     let [y0, y1] = y.to_le_bytes();
 
@@ -213,9 +188,7 @@ pub fn encode_row<P: Pixel>(
 }
 
 fn put_pixels<P: Pixel>(encoder: &mut Encoder<'_>, pixels: &[P]) -> Result<(), EncodeError> {
-    pixels
-        .iter()
-        .try_for_each(|pixel| encoder.put(pixel.to_le_bytes().as_ref()))
+    pixels.iter().try_for_each(|pixel| encoder.put(pixel.to_le_bytes().as_ref()))
 }
 
 /// Encodes the end of a frame with the hash of all its rows.

@@ -281,9 +281,7 @@ impl<'a> Packet<'a> {
                 let &[f0, f1] = body else {
                     return Err(PacketError::Length);
                 };
-                Ok(Packet::Ack {
-                    frame: u16::from_le_bytes([f0, f1]),
-                })
+                Ok(Packet::Ack { frame: u16::from_le_bytes([f0, f1]) })
             }
             _ => Err(PacketError::Kind),
         }

@@ -140,10 +140,7 @@ impl<'a> Receiver<'a> {
     /// The numbers of the missing rows, from the top.
     pub fn missing(&self) -> impl Iterator<Item = u16> + '_ {
         let height = self.header.map_or(0, |header| header.height);
-        (0..height)
-            .zip(self.rows.iter())
-            .filter(|(_, here)| !**here)
-            .map(|(y, _)| y)
+        (0..height).zip(self.rows.iter()).filter(|(_, here)| !**here).map(|(y, _)| y)
     }
 
     /// What to ask the sender for: the header of a frame that is under way without one, or the missing
@@ -153,25 +150,14 @@ impl<'a> Receiver<'a> {
     /// [`Event::HashMismatch`], and when the line has been quiet for longer than a row takes to be rendered
     /// and sent: before, rows are "missing" that are yet to come.
     pub fn requests(&self) -> impl Iterator<Item = Request> + '_ {
-        let header = self.unknown.map(|frame| Request {
-            frame,
-            part: Part::Header,
-        });
-        let current = self
-            .header
-            .filter(|_| self.unknown.is_none() && !self.complete);
+        let header = self.unknown.map(|frame| Request { frame, part: Part::Header });
+        let current = self.header.filter(|_| self.unknown.is_none() && !self.complete);
         let rows = current.into_iter().flat_map(|header| {
-            self.missing().map(move |y| Request {
-                frame: header.frame,
-                part: Part::Row(y),
-            })
+            self.missing().map(move |y| Request { frame: header.frame, part: Part::Row(y) })
         });
         let end = current
             .filter(|header| self.received == header.height)
-            .map(|header| Request {
-                frame: header.frame,
-                part: Part::End,
-            });
+            .map(|header| Request { frame: header.frame, part: Part::End });
         header.into_iter().chain(rows).chain(end)
     }
 
@@ -198,9 +184,7 @@ impl<'a> Receiver<'a> {
         if header.is_empty() {
             return Err(ReceiveError::Size);
         }
-        let fits = header
-            .frame_bytes()
-            .is_some_and(|size| size <= self.pixels.len());
+        let fits = header.frame_bytes().is_some_and(|size| size <= self.pixels.len());
         if !fits || usize::from(header.height) > self.rows.len() {
             return Err(ReceiveError::TooLarge);
         }
@@ -224,16 +208,11 @@ impl<'a> Receiver<'a> {
             .get_mut(start..)
             .and_then(|rest| rest.get_mut(..header.row_bytes()))
             .ok_or(ReceiveError::TooLarge)?;
-        let here = self
-            .rows
-            .get_mut(usize::from(y))
-            .ok_or(ReceiveError::TooLarge)?;
+        let here = self.rows.get_mut(usize::from(y)).ok_or(ReceiveError::TooLarge)?;
         if *here {
             return Ok(Event::Repeated);
         }
-        payload
-            .unpack(header.format, row)
-            .map_err(ReceiveError::Payload)?;
+        payload.unpack(header.format, row).map_err(ReceiveError::Payload)?;
         *here = true;
         let mut hash = RowHash::new(y);
         hash.update(row);
@@ -251,9 +230,7 @@ impl<'a> Receiver<'a> {
             return Ok(self.conclude(hash));
         }
         self.end = Some(hash);
-        Ok(Event::Incomplete {
-            missing: header.height.saturating_sub(self.received),
-        })
+        Ok(Event::Incomplete { missing: header.height.saturating_sub(self.received) })
     }
 
     /// The current header, if a packet of frame `frame` belongs to it.

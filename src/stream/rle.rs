@@ -59,8 +59,7 @@ pub(super) const fn chunks<P: Pixel>(pixels: &[P]) -> Chunks<'_, P> {
 pub(super) fn packed_len<P: Pixel>(pixels: &[P]) -> usize {
     let pixel = P::FORMAT.bytes_per_pixel();
     chunks(pixels).fold(0, |sum: usize, chunk| {
-        sum.saturating_add(chunk.pixels().len().saturating_mul(pixel))
-            .saturating_add(1)
+        sum.saturating_add(chunk.pixels().len().saturating_mul(pixel)).saturating_add(1)
     })
 }
 
@@ -77,11 +76,7 @@ impl<'a, P: Pixel> Iterator for Chunks<'a, P> {
         }
         // A run that breaks a literal in two costs a control byte more. Two pixels of two bytes pay for
         // it (4 bytes against 1 + 2 + 1), one-byte pixels only from three on (3 bytes against 1 + 1 + 1).
-        let worthwhile = if P::FORMAT.bytes_per_pixel() == 1 {
-            3
-        } else {
-            2
-        };
+        let worthwhile = if P::FORMAT.bytes_per_pixel() == 1 { 3 } else { 2 };
         let mut len = 1;
         while len < MAX_CHUNK {
             let run = run_length(self.rest.get(len..).unwrap_or_default(), worthwhile);
@@ -100,11 +95,7 @@ impl<'a, P: Pixel> Iterator for Chunks<'a, P> {
 /// How many pixels at the start are alike, at most `cap`.
 fn run_length<P: Pixel>(pixels: &[P], cap: usize) -> usize {
     let first = pixels.first();
-    pixels
-        .iter()
-        .take(cap)
-        .take_while(|pixel| Some(*pixel) == first)
-        .count()
+    pixels.iter().take(cap).take_while(|pixel| Some(*pixel) == first).count()
 }
 
 /// Writes the packed pixels of `format` into the whole of `row`, as little-endian bytes.
@@ -208,9 +199,7 @@ mod tests {
         let long = proptest::collection::vec((0..4_u8, 1..300_usize), 0..10);
         prop_oneof![3 => short, 1 => long].prop_map(|runs| {
             let pixels = runs.into_iter();
-            pixels
-                .flat_map(|(value, count)| std::iter::repeat_n(value, count))
-                .collect()
+            pixels.flat_map(|(value, count)| std::iter::repeat_n(value, count)).collect()
         })
     }
 
@@ -220,11 +209,7 @@ mod tests {
         let cut: Vec<_> = chunks(&row).collect();
         assert_eq!(
             cut,
-            [
-                Chunk::Literal(&row[..3]),
-                Chunk::Repeat(Gray8(3), 4),
-                Chunk::Literal(&row[7..])
-            ]
+            [Chunk::Literal(&row[..3]), Chunk::Repeat(Gray8(3), 4), Chunk::Literal(&row[7..])]
         );
         assert_eq!(pack(&row), [2, 1, 2, 2, 0xFD, 3, 0, 4]);
     }
@@ -253,15 +238,9 @@ mod tests {
         prop_assert_eq!(packed.len(), packed_len(pixels));
         // Exactly, until the limit of 128 pixels cuts a chunk where a cleverer cut would save a byte.
         let excess = packed.len() - shortest(pixels);
-        prop_assert!(
-            excess <= pixels.len() / MAX_CHUNK,
-            "{} bytes too long",
-            excess
-        );
-        let raw: Vec<u8> = pixels
-            .iter()
-            .flat_map(|p| Vec::from(p.to_le_bytes().as_ref()))
-            .collect();
+        prop_assert!(excess <= pixels.len() / MAX_CHUNK, "{} bytes too long", excess);
+        let raw: Vec<u8> =
+            pixels.iter().flat_map(|p| Vec::from(p.to_le_bytes().as_ref())).collect();
         let mut row = std::vec![0; raw.len()];
         prop_assert_eq!(unpack(&packed, P::FORMAT, &mut row), Ok(()));
         prop_assert_eq!(row, raw);

@@ -39,13 +39,7 @@ impl<W, const N: usize> Sender<W, N> {
     /// A sender with no frame begun.
     #[must_use]
     pub const fn new(writer: W) -> Self {
-        Self {
-            writer,
-            packet: [0; N],
-            frame: None,
-            bytes_sent: 0,
-            cut: false,
-        }
+        Self { writer, packet: [0; N], frame: None, bytes_sent: 0, cut: false }
     }
 
     /// The header of the frame that was begun last.
@@ -85,12 +79,7 @@ impl<W: Write, const N: usize> Sender<W, N> {
             return Err(SendError::Encode(EncodeError::BufferTooSmall));
         }
         self.send_header(header)?;
-        self.frame = Some(Frame {
-            header,
-            next: 0,
-            hash: FrameHash::new(),
-            ended: false,
-        });
+        self.frame = Some(Frame { header, next: 0, hash: FrameHash::new(), ended: false });
         Ok(())
     }
 

@@ -1,0 +1,8 @@
+//! What the host's tools share: serial ports, receiving frames, showing and saving them.
+
+#![allow(dead_code)] // every tool takes what it needs
+
+pub mod image;
+pub mod port;
+pub mod receive;
+pub mod terminal;

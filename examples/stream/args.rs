@@ -1,0 +1,86 @@
+//! The command line.
+
+use clap::{Parser, ValueEnum};
+use scancsg::render::Size;
+use std::path::PathBuf;
+
+/// Render a part row by row, send it through a serial line, and put it together at the other end.
+///
+/// Without --port, the line is a pseudo-terminal pair of this computer: a thread renders and
+/// sends into one end, the other end is received, shown and saved. With --port, the frames go
+/// to a device, and the example `view` can receive them.
+#[derive(Debug, Parser)]
+#[command(name = "stream", version)]
+pub struct Args {
+    /// The PNG file to write; several frames become an animation
+    #[arg(long, value_name = "FILE.png", default_value = "tee.png")]
+    pub out: PathBuf,
+
+    /// Width and height of the picture in pixels, at most 4096x4096
+    #[arg(long, value_name = "WxH", default_value = "160x120", value_parser = size)]
+    pub size: Size,
+
+    /// Grey levels, or 16-bit colours
+    #[arg(long, value_enum, default_value_t = Format::Gray8)]
+    pub format: Format,
+
+    /// Lit from above, by depth, or by thickness
+    #[arg(long, value_enum, default_value_t = Shade::Lambert)]
+    pub shade: Shade,
+
+    /// Parallel rays, or rays through an eye
+    #[arg(long, value_enum, default_value_t = Camera::Ortho)]
+    pub camera: Camera,
+
+    /// How many frames; the part turns about y once in all of them together
+    #[arg(long, value_name = "N", default_value_t = 1,
+          value_parser = clap::value_parser!(u16).range(1..=3600))]
+    pub frames: u16,
+
+    /// Send to this serial device instead of to this computer itself
+    #[arg(long, value_name = "DEVICE")]
+    pub port: Option<String>,
+
+    /// The line's speed in bits per second: 115200 for a device, unlimited for the loopback
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(300..))]
+    pub baud: Option<u32>,
+
+    /// Flip a bit in about every N bytes sent, to see the repair at work
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(20..))]
+    pub noise: Option<u32>,
+
+    /// Close the line after N bytes, to see what becomes of an interrupted frame
+    #[arg(long, value_name = "N")]
+    pub cut_after: Option<u64>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    Gray8,
+    Rgb565,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Shade {
+    Lambert,
+    Depth,
+    Xray,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Camera {
+    Ortho,
+    Persp,
+}
+
+fn size(text: &str) -> Result<Size, String> {
+    let (width, height) =
+        text.split_once(['x', 'X']).ok_or("not a width and a height: write it as 160x120")?;
+    let number = |text: &str| {
+        text.parse::<u16>()
+            .ok()
+            .filter(|number| *number <= 4096)
+            .ok_or_else(|| format!("`{text}` is not a number of pixels between 1 and 4096"))
+    };
+    Size::new(number(width)?, number(height)?).map_err(|error| error.to_string())
+}

@@ -1,0 +1,108 @@
+//! The device's side: renders a picture row by row into a serial line, and repairs it.
+//!
+//! Nothing here needs an operating system: firmware gives it a UART, the host a pseudo-terminal.
+
+use embedded_io::Write;
+use scancsg::geom::Rays;
+use scancsg::render::{Picture, Pixel, RowError, Shader};
+use scancsg::solid::{Project, Solid};
+use scancsg::span::SpanList;
+use scancsg::stream::{
+    CONTROL_CAPACITY, Decoder, FrameHeader, Packet, Part, Request, SendError, Sender,
+};
+
+/// A serial line that can also be listened to.
+pub trait Line: Write {
+    /// The next byte from the other end, or `None` if none came within about a second.
+    fn listen(&mut self) -> Result<Option<u8>, Self::Error>;
+}
+
+/// How a frame ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Delivery {
+    /// The other end has the whole frame.
+    Acknowledged,
+    /// The other end said nothing for three seconds: nobody is there, or can't answer.
+    Unheard,
+}
+
+/// Why a frame could not be sent.
+#[derive(Debug, Clone, Copy)]
+pub enum DeviceError<E> {
+    /// A row was asked for that does not fit the buffers.
+    Row(RowError),
+    /// The line failed, or the frame does not fit the sender.
+    Send(SendError<E>),
+}
+
+impl<E> From<RowError> for DeviceError<E> {
+    fn from(error: RowError) -> Self {
+        Self::Row(error)
+    }
+}
+
+impl<E> From<SendError<E>> for DeviceError<E> {
+    fn from(error: SendError<E>) -> Self {
+        Self::Send(error)
+    }
+}
+
+/// Silence of the other end, in calls of [`Line::listen`], before a frame counts as unheard.
+const PATIENCE: u32 = 3;
+
+/// Sends one frame, and then renders again whatever was lost on the way, until the other end has
+/// everything. `pixels` is the memory for one row.
+pub fn send_frame<T, R, H, P, L, const N: usize, const SPANS: usize>(
+    picture: &Picture<'_, T, R, H, P>,
+    frame: u16,
+    sender: &mut Sender<L, N>,
+    spans: &mut SpanList<R::Scalar, SPANS>,
+    pixels: &mut [P],
+) -> Result<Delivery, DeviceError<L::Error>>
+where
+    R: Rays,
+    T: Solid<Scalar = R::Scalar> + Project<R>,
+    H: Shader<R::Scalar>,
+    P: Pixel,
+    L: Line,
+{
+    let size = picture.size();
+    sender.begin(FrameHeader {
+        frame,
+        width: size.width(),
+        height: size.height(),
+        format: P::FORMAT,
+    })?;
+    for scanline in picture.scanlines() {
+        scanline.render(spans, pixels)?;
+        sender.row(scanline.y(), pixels)?;
+    }
+    sender.end()?;
+
+    let mut decoder = Decoder::<CONTROL_CAPACITY>::new();
+    let mut silence = 0;
+    while silence < PATIENCE {
+        let Some(byte) = sender.writer_mut().listen().map_err(SendError::Io)? else {
+            silence += 1;
+            sender.end_again()?;
+            continue;
+        };
+        // What can't be read is asked for again by the other end.
+        let Some(Ok(packet)) = decoder.push(byte) else { continue };
+        silence = 0;
+        match packet {
+            Packet::Ack { frame: whole } if whole == frame => return Ok(Delivery::Acknowledged),
+            Packet::Request(Request { frame: wanted, part }) if wanted == frame => match part {
+                Part::Header => sender.header_again()?,
+                Part::End => sender.end_again()?,
+                Part::Row(y) if y < size.height() => {
+                    picture.scanline(y)?.render(spans, pixels)?;
+                    sender.resend_row(y, pixels)?;
+                }
+                _ => {}
+            },
+            _ => {}
+        }
+    }
+    Ok(Delivery::Unheard)
+}

@@ -1,0 +1,284 @@
+//! The host: chooses what is rendered, gives it a line, and looks at what comes out.
+
+use crate::args::{Args, Camera, Format, Shade};
+use crate::device::{self, Delivery, DeviceError, Line};
+use crate::host::image::write_png;
+use crate::host::port::{self, Faults, Port, Wire};
+use crate::host::receive::{CAPACITY, Ending, Frame, Session};
+use crate::host::terminal::Display;
+use crate::scene;
+use clap::Parser;
+use scancsg::geom::{Pose, Rays};
+use scancsg::render::{Depth, Gray8, Lambert, Picture, Pixel, Rgb565, Shader, Size, XRay};
+use scancsg::solid::{Placed, Project, Shape, Solid};
+use scancsg::span::SpanList;
+use scancsg::stream::{SendError, Sender};
+use std::f32::consts::TAU;
+use std::io::{self, Read, Write};
+use std::process::ExitCode;
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// Room for the spans of the part; less would not compile.
+const SPANS: usize = <scene::Tee<f32> as Shape>::STACK;
+
+/// With no sender, this long is waited for a frame.
+const PATIENCE: Duration = Duration::from_secs(5);
+
+pub fn run() -> ExitCode {
+    let args = Args::parse();
+    let result = match &args.port {
+        Some(device) => send_to_device(&args, device),
+        None => loop_back(&args),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("stream: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// The device's end of the line, on a host.
+struct HostLine(Wire);
+
+impl embedded_io::ErrorType for HostLine {
+    type Error = io::Error;
+}
+
+impl embedded_io::Write for HostLine {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush()
+    }
+}
+
+impl Line for HostLine {
+    fn listen(&mut self) -> io::Result<Option<u8>> {
+        let mut byte = [0];
+        let deadline = Instant::now() + Duration::from_secs(1);
+        while Instant::now() < deadline {
+            match self.0.read(&mut byte) {
+                Ok(0) => return Err(io::ErrorKind::BrokenPipe.into()),
+                Ok(_) => return Ok(byte.first().copied()),
+                Err(error) => match error.kind() {
+                    io::ErrorKind::TimedOut
+                    | io::ErrorKind::WouldBlock
+                    | io::ErrorKind::Interrupted => {}
+                    _ => return Err(error),
+                },
+            }
+        }
+        Ok(None)
+    }
+}
+
+fn line(port: Box<dyn Port>, args: &Args) -> HostLine {
+    HostLine(Wire::new(
+        port,
+        Faults {
+            baud: args.baud.filter(|_| args.port.is_none()),
+            noise: args.noise,
+            cut_after: args.cut_after,
+        },
+    ))
+}
+
+/// What the sending side has to say when it is done.
+struct Sent {
+    bytes: u64,
+    unheard: u32,
+}
+
+/// Sends to a real device, and waits for it to acknowledge.
+fn send_to_device(args: &Args, device: &str) -> Result<(), String> {
+    let port = port::open(device, args.baud.unwrap_or(115_200))?;
+    let start = Instant::now();
+    let sent = send(args, line(port, args), &mut |frame| {
+        eprintln!("frame {}/{} sent to {device}", frame + 1, args.frames);
+    })?;
+    println!(
+        "{} frame(s) of {}x{}, {} bytes in {:.1} s to {device}",
+        args.frames,
+        args.size.width(),
+        args.size.height(),
+        sent.bytes,
+        start.elapsed().as_secs_f32()
+    );
+    if sent.unheard > 0 {
+        eprintln!("{} frame(s) were not acknowledged by the other end", sent.unheard);
+    }
+    Ok(())
+}
+
+/// Sends in a thread into one end of a line, receives at the other end, shows and saves.
+fn loop_back(args: &Args) -> Result<(), String> {
+    let (near, far) = port::loopback()?;
+    let start = Instant::now();
+    thread::scope(|scope| {
+        let sender = scope.spawn(|| send(args, line(far, args), &mut |_| {}));
+        let mut session = Session::new(near);
+        let display = Display::new();
+        let mut frames: Vec<Frame> = Vec::new();
+        let mut problem = None;
+        while frames.len() < usize::from(args.frames) {
+            display.begin(frames.len() as u32, Some(u32::from(args.frames)));
+            match session.frame(PATIENCE, |receiver, traffic| display.show(receiver, traffic))? {
+                Some(frame) => {
+                    problem = problem.or(frame.problem(frames.len()));
+                    frames.push(frame);
+                }
+                None => {
+                    problem = problem.or(Some(format!(
+                        "the line ended after {} of {} frames",
+                        frames.len(),
+                        args.frames
+                    )));
+                    break;
+                }
+            }
+            if frames.last().is_some_and(|frame| frame.ending == Ending::Closed) {
+                break;
+            }
+        }
+        display.finish();
+        let traffic = session.traffic();
+        // The sender may still be waiting for an answer.
+        drop(session);
+        write_png(&args.out, &frames)?;
+
+        let raw = frames.iter().map(|frame| frame.pixels.len() as u64).sum::<u64>();
+        println!(
+            "{}: {} frame(s) of {}x{}\n{} bytes on the line for {raw} bytes of pixels, {:.2} s",
+            args.out.display(),
+            frames.len(),
+            args.size.width(),
+            args.size.height(),
+            traffic.bytes,
+            start.elapsed().as_secs_f32()
+        );
+        if traffic.bad_packets > 0 || traffic.requests > 0 {
+            println!(
+                "{} damaged packet(s), {} request(s) to send something again",
+                traffic.bad_packets, traffic.requests
+            );
+        }
+        let sent = sender.join().map_err(|_| "the sending thread panicked")?;
+        match (problem, sent) {
+            (None, _) => Ok(()),
+            (Some(problem), Ok(_)) => Err(problem),
+            (Some(problem), Err(cause)) => Err(format!("{problem} ({cause})")),
+        }
+    })
+}
+
+/// Renders and sends all frames, in the pixel format that was asked for.
+fn send(args: &Args, line: HostLine, sent: &mut dyn FnMut(u16)) -> Result<Sent, String> {
+    match args.format {
+        Format::Gray8 => send_shaded(args, line, sent, &scene::f32::TEE, Gray8(0)),
+        Format::Rgb565 => send_shaded(args, line, sent, &scene::f32::PAINTED_TEE, Rgb565(0)),
+    }
+}
+
+fn send_shaded<T, P>(
+    args: &Args,
+    line: HostLine,
+    sent: &mut dyn FnMut(u16),
+    part: &T,
+    background: P,
+) -> Result<Sent, String>
+where
+    T: Solid<Scalar = f32>
+        + Project<scancsg::geom::Parallel<f32>>
+        + Project<scancsg::geom::Pencil<f32>>,
+    P: Pixel,
+{
+    // The part fits a ball of radius 2.6 around the origin.
+    let text = |error: scancsg::render::ShadeError| error.to_string();
+    match args.shade {
+        Shade::Lambert => {
+            let light = Lambert::new(scene::f32::TO_LIGHT, 0.15).map_err(text)?;
+            send_seen(args, line, sent, part, light, background)
+        }
+        Shade::Depth => {
+            let depth = Depth::new(-2.6, 2.6).map_err(text)?;
+            send_seen(args, line, sent, part, depth, background)
+        }
+        Shade::Xray => {
+            let xray = XRay::new(4.0).map_err(text)?;
+            send_seen(args, line, sent, part, xray, background)
+        }
+    }
+}
+
+fn send_seen<T, H, P>(
+    args: &Args,
+    line: HostLine,
+    sent: &mut dyn FnMut(u16),
+    part: &T,
+    shader: H,
+    background: P,
+) -> Result<Sent, String>
+where
+    T: Solid<Scalar = f32>
+        + Project<scancsg::geom::Parallel<f32>>
+        + Project<scancsg::geom::Pencil<f32>>,
+    H: Shader<f32> + Copy,
+    P: Pixel,
+{
+    let text = |error: scancsg::render::CameraError| error.to_string();
+    match args.camera {
+        Camera::Ortho => {
+            let camera = scene::f32::orthographic().map_err(text)?;
+            send_frames(args, line, sent, part, &camera, shader, background)
+        }
+        Camera::Persp => {
+            let camera = scene::f32::perspective().map_err(text)?;
+            send_frames(args, line, sent, part, &camera, shader, background)
+        }
+    }
+}
+
+fn send_frames<T, C, H, P>(
+    args: &Args,
+    line: HostLine,
+    sent: &mut dyn FnMut(u16),
+    part: &T,
+    camera: &C,
+    shader: H,
+    background: P,
+) -> Result<Sent, String>
+where
+    C: scancsg::render::Camera<Rays: Rays<Scalar = f32>>,
+    T: Solid<Scalar = f32> + Project<C::Rays>,
+    H: Shader<f32> + Copy,
+    P: Pixel,
+{
+    let size: Size = args.size;
+    let mut sender = Box::new(Sender::<_, CAPACITY>::new(line));
+    let mut spans = SpanList::<f32, SPANS>::new();
+    let mut pixels = vec![background; usize::from(size.width())];
+    let mut unheard = 0;
+    for frame in 0..args.frames {
+        let angle = TAU * f32::from(frame) / f32::from(args.frames);
+        let turned = Placed::new(part, Pose::rotation_y(angle));
+        let picture = Picture::new(&turned, camera, size, shader, background);
+        let delivery = device::send_frame(&picture, frame, &mut sender, &mut spans, &mut pixels)
+            .map_err(|error| describe_error(&error))?;
+        unheard += u32::from(delivery == Delivery::Unheard);
+        sent(frame);
+    }
+    Ok(Sent { bytes: sender.bytes_sent(), unheard })
+}
+
+fn describe_error(error: &DeviceError<io::Error>) -> String {
+    match error {
+        DeviceError::Row(error) => error.to_string(),
+        DeviceError::Send(SendError::Io(error)) => format!("sending failed: {error}"),
+        DeviceError::Send(error) => error.to_string(),
+    }
+}
