@@ -1,4 +1,57 @@
-//! Ray-cast CSG solids on a microcontroller, one scanline at a time.
+//! Ray-cast solids on a microcontroller, one scanline at a time.
+//!
+//! A part is a typed expression of primitives ([`solid`]), a picture of it is asked for row by row
+//! ([`render`]), and a row goes through a serial line as a packet ([`stream`]). There is no
+//! allocator, no frame buffer and no global state; nothing panics; and the same input gives the
+//! same bits on every target.
+//!
+//! ```
+//! use scancsg::geom::vec3;
+//! use scancsg::render::{Gray8, Lambert, Orthographic, Picture, Size};
+//! use scancsg::solid::{Cylinder, Shape, Sphere};
+//! use scancsg::span::SpanList;
+//!
+//! // A ball with a hole through it.
+//! let ball = Sphere::<f32>::new(vec3(0.0, 0.0, 0.0), 1.0)?;
+//! let bead = ball - Cylinder::<f32>::along_y(0.0, 0.0, 0.4, -2.0, 2.0)?;
+//!
+//! let camera = Orthographic::look_at(
+//!     vec3(0.0, 3.0, 2.0), // from here
+//!     vec3(0.0, 0.0, 0.0), // to here
+//!     vec3(0.0, 1.0, 0.0), // with this direction upwards
+//!     2.2,                 // units from the upper to the lower edge
+//! )?;
+//! let light = Lambert::new(vec3(-1.0, 2.0, 1.0), 0.2)?;
+//! let picture = Picture::new(&bead, &camera, Size::new(12, 12)?, light, Gray8(0));
+//!
+//! let mut spans = SpanList::<_, 4>::new();
+//! let mut row = [Gray8(0); 12];
+//! let mut art = Vec::new();
+//! for scanline in picture.scanlines() {
+//!     scanline.render(&mut spans, &mut row)?;
+//!     let dots = row.iter().map(|pixel| char::from(b".:-=+*#%@"[usize::from(pixel.0) / 30]));
+//!     art.push(dots.collect::<String>());
+//! }
+//! assert_eq!(art, [
+//!     "............",
+//!     "...*#=*+=...",
+//!     "..#%:=**+=..",
+//!     ".#%@:=***+:.",
+//!     ".%@@:=***+-.",
+//!     ".%@@@@%#*+-.",
+//!     ".%@@@@%#*+-.",
+//!     ".#%%%%%#*+-.",
+//!     ".*#%%%#*+=:.",
+//!     "..*###*+=-..",
+//!     "...++++=:...",
+//!     "............",
+//! ]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Formulas, their sources and the reasons for the structure are in `docs/architecture.md` of the
+//! repository.
+
 #![no_std]
 
 #[cfg(test)]
@@ -13,3 +66,7 @@ pub mod span;
 pub mod stream;
 
 pub(crate) use error::error_text;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

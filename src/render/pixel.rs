@@ -11,7 +11,7 @@ use crate::solid::Rgb;
 #[non_exhaustive]
 #[repr(u8)]
 pub enum PixelFormat {
-    /// One byte: linear grey, 0 black to 255 white.
+    /// One byte: grey, 0 black to 255 white.
     Gray8 = 0,
     /// Two bytes, little-endian: red in bits 15..11, green in 10..5, blue in 4..0.
     Rgb565 = 1,

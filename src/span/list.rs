@@ -6,7 +6,37 @@ use heapless::{Vec, VecView};
 /// Room for the spans of a line with a solid, and for merging them.
 ///
 /// `N` must be at least the [`Shape::STACK`](crate::solid::Shape::STACK) of the solid; less does
-/// not compile.
+/// not compile:
+///
+/// ```
+/// use scancsg::geom::{Ray, vec3};
+/// use scancsg::solid::{Shape, Solid, Sphere, Union};
+/// use scancsg::span::SpanList;
+///
+/// type Pair = Union<Sphere<f32>, Sphere<f32>>;
+///
+/// let ball = Sphere::<f32>::new(vec3(0.0, 0.0, 0.0), 1.0)?;
+/// let pair: Pair = ball | Sphere::<f32>::new(vec3(3.0, 0.0, 0.0), 1.0)?;
+/// let ray = Ray::new(vec3(-9.0, 0.0, 0.0), vec3(1.0, 0.0, 0.0))?;
+/// let mut list = SpanList::<f32, { Pair::STACK }>::new();
+/// assert_eq!(pair.trace(&ray, &mut list).len(), 2);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// ```compile_fail,E0080
+/// use scancsg::geom::{Ray, vec3};
+/// use scancsg::solid::{Shape, Solid, Sphere, Union};
+/// use scancsg::span::SpanList;
+///
+/// type Pair = Union<Sphere<f32>, Sphere<f32>>;
+///
+/// let ball = Sphere::<f32>::new(vec3(0.0, 0.0, 0.0), 1.0)?;
+/// let pair: Pair = ball | Sphere::<f32>::new(vec3(3.0, 0.0, 0.0), 1.0)?;
+/// let ray = Ray::new(vec3(-9.0, 0.0, 0.0), vec3(1.0, 0.0, 0.0))?;
+/// let mut list = SpanList::<f32, 3>::new();
+/// assert_eq!(pair.trace(&ray, &mut list).len(), 2);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct SpanList<S, const N: usize> {
     spans: Vec<Span<S>, N>,
