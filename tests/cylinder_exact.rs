@@ -11,7 +11,7 @@
 //! relative ε, and each crossing has to lie between those of the two. Coordinates are at most 16
 //! and lengths at least 1, so a few rounding errors u of a coordinate are less than ε = 128 u.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::result_large_err)] // Err is no error here
 
 use dashu_int::IBig;
 use proptest::prelude::*;
