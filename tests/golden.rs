@@ -1,0 +1,120 @@
+//! Golden pictures: `tee` as text art that a reader can judge, and a hash for every row of a
+//! larger picture that pins down each bit of `f32`.
+//!
+//! Run with `SCANCSG_BLESS=1` to write the files anew, and then look at the difference before
+//! it is committed: a picture that changed is either a bug or news for the changelog.
+
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+#[path = "../examples/scene/mod.rs"]
+mod scene;
+
+use scancsg::geom::Rays;
+use scancsg::render::{Camera, Gray8, Lambert, Picture, Pixel, Shader, Size, XRay};
+use scancsg::solid::Project;
+use scancsg::span::SpanList;
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// The rows of `tee` in grey.
+fn rows<C, H>(camera: &C, shader: H, width: u16, height: u16) -> Vec<Vec<u8>>
+where
+    C: Camera<Rays: Rays<Scalar = f32>>,
+    H: Shader<f32>,
+    scene::Tee<f32>: Project<C::Rays, Scalar = f32>,
+{
+    let size = Size::new(width, height).unwrap();
+    let picture = Picture::new(&scene::f32::TEE, camera, size, shader, Gray8(0));
+    let mut list = SpanList::<f32, 64>::new();
+    let mut row = vec![Gray8(0); width.into()];
+    let render = |scanline: scancsg::render::Scanline<'_, '_, _, _, _, _>| {
+        scanline.render(&mut list, &mut row).unwrap();
+        row.iter().map(|pixel| pixel.0).collect()
+    };
+    picture.scanlines().map(render).collect()
+}
+
+/// One character a pixel, ten shades, background blank.
+fn art(rows: &[Vec<u8>]) -> String {
+    let shade = |&level: &u8| char::from(b" .:-=+*#%@"[usize::from(level) * 10 / 256]);
+    let line = |row: &Vec<u8>| row.iter().map(shade).collect::<String>();
+    rows.iter().map(|row| line(row).trim_end().to_owned() + "\n").collect()
+}
+
+/// One line a row: its number and the CRC-32/ISO-HDLC of its bytes.
+fn hashes(rows: &[Vec<u8>]) -> String {
+    let crc = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC);
+    rows.iter().enumerate().fold(String::new(), |mut text, (y, row)| {
+        writeln!(text, "{y:3} {:08x}", crc.checksum(row)).unwrap();
+        text
+    })
+}
+
+/// Compares with a file of `tests/golden`, and shows the lines that differ.
+#[track_caller]
+fn golden(name: &str, got: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(name);
+    if std::env::var_os("SCANCSG_BLESS").is_some_and(|value| value == "1") {
+        std::fs::write(&path, got).unwrap();
+        return;
+    }
+    let want = std::fs::read_to_string(&path).unwrap_or_default().replace("\r\n", "\n");
+    let count = got.lines().count().max(want.lines().count());
+    let line = |text: &str, i: usize| text.lines().nth(i).unwrap_or("(no line)").to_owned();
+    let differences: String = (0..count)
+        .map(|i| (i, line(&want, i), line(got, i)))
+        .filter(|(_, want, got)| want != got)
+        .map(|(i, want, got)| format!("{:4} want |{want}\n      got |{got}\n", i + 1))
+        .collect();
+    assert!(
+        differences.is_empty() && got == want,
+        "not the picture of tests/golden/{name} (SCANCSG_BLESS=1 writes it anew):\n{differences}"
+    );
+}
+
+fn lambert() -> Lambert<f32> {
+    Lambert::new(scene::f32::TO_LIGHT, 0.125).unwrap()
+}
+
+#[test]
+fn lambert_orthographic() {
+    let camera = scene::f32::orthographic().unwrap();
+    golden("tee_lambert_orthographic.txt", &art(&rows(&camera, lambert(), 48, 36)));
+}
+
+#[test]
+fn lambert_perspective() {
+    let camera = scene::f32::perspective().unwrap();
+    golden("tee_lambert_perspective.txt", &art(&rows(&camera, lambert(), 48, 36)));
+}
+
+#[test]
+fn xray_orthographic() {
+    let camera = scene::f32::orthographic().unwrap();
+    let xray = XRay::new(3.0).unwrap();
+    golden("tee_xray_orthographic.txt", &art(&rows(&camera, xray, 48, 36)));
+}
+
+#[test]
+fn row_hashes_orthographic() {
+    let camera = scene::f32::orthographic().unwrap();
+    golden("tee_160x120_orthographic.txt", &hashes(&rows(&camera, lambert(), 160, 120)));
+}
+
+#[test]
+fn row_hashes_perspective() {
+    let camera = scene::f32::perspective().unwrap();
+    golden("tee_160x120_perspective.txt", &hashes(&rows(&camera, lambert(), 160, 120)));
+}
+
+/// The catalogue's check value: the hash is the one that other tools call CRC-32.
+#[test]
+fn the_hash_is_crc_32() {
+    assert_eq!(hashes(&[b"123456789".to_vec()]), "  0 cbf43926\n");
+}
+
+/// A grey pixel goes over the link as the byte that is hashed here.
+#[test]
+fn the_bytes_are_those_of_the_link() {
+    assert_eq!(Gray8(200).to_le_bytes(), [200]);
+}
