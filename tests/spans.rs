@@ -3,7 +3,7 @@
 //! A set of cells is a set of half-open intervals, so boolean operations on bits are the
 //! regularised operations on intervals, and every list can be read back from the bits.
 
-#![allow(clippy::unwrap_used, clippy::expect_used)]
+#![allow(clippy::unwrap_used, clippy::type_complexity)]
 
 use proptest::collection::{btree_set, vec};
 use proptest::prelude::*;
