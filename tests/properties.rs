@@ -225,8 +225,9 @@ macro_rules! laws {
                 }
 
                 /// From the other end, and the other way: the same pieces of the line. All
-                /// numbers that decide about a hit are whole and below 2²⁴, so the count is
-                /// the same also for rays that touch a wall or a rim.
+                /// numbers that decide about a wall are whole and below 2²⁴, so the count is the
+                /// same also for tangents. Left out are rays through a point of a rim exactly:
+                /// there, a wall and a cap are met at one parameter, by two roundings.
                 #[test]
                 fn seen_from_the_other_end(
                     [x, y, z, dx, dy, dz] in prop::array::uniform6(-8..=8i8),
@@ -234,6 +235,15 @@ macro_rules! laws {
                     radius in 1..=5u8, length in 1..=5u8, steps in 1..=4u8,
                 ) {
                     prop_assume!((dx, dy, dz) != (0, 0, 0));
+                    let hits_rim = |cap: i32| {
+                        let whole = |at: i8, way: i8, center: i8| {
+                            let (at, way) = (i32::from(at) - i32::from(center), i32::from(way));
+                            at * i32::from(dx) + way * (cap - i32::from(x))
+                        };
+                        let [a, b] = [whole(y, dy, cy), whole(z, dz, cz)];
+                        a * a + b * b == (i32::from(radius) * i32::from(dx)).pow(2)
+                    };
+                    prop_assume!(!hits_rim(low.into()) && !hits_rim(i32::from(low) + i32::from(length)));
                     let of = |x: i8, y: i8, z: i8| vec3(S::from(x), S::from(y), S::from(z));
                     let (origin, direction) = (of(x, y, z), of(dx, dy, dz));
                     let cylinder = Cylinder::<S>::along_x(

@@ -190,6 +190,13 @@ tree!(
     |b| b[0] & !(b[1] & !(b[2] & !(b[3] & !b[4])))
 );
 tree!(
+    intersections_nested_to_the_right,
+    Intersection<Leaf, Intersection<Leaf, Intersection<Leaf, Intersection<Leaf, Leaf>>>>,
+    5,
+    |s| s[0] & (s[1] & (s[2] & (s[3] & s[4]))),
+    |b| b[0] & b[1] & b[2] & b[3] & b[4]
+);
+tree!(
     differences_nested_to_the_left,
     Difference<Difference<Difference<Difference<Leaf, Leaf>, Leaf>, Leaf>, Leaf>,
     5,
@@ -267,6 +274,15 @@ fn an_intersection_reaches_all_of_its_spans() {
         Chain::new([(0, 3), (4, 7), (8, 11)].map(leaf), [(2, 5), (6, 9), (10, 13)].map(leaf));
     assert_eq!(Chain::SPANS, 5);
     assert_eq!(count(&chain, SpanList::<_, { Chain::STACK }>::new()), 5);
+}
+
+/// The last element of a group is merged while all others are in memory, and so is the result.
+#[test]
+fn a_group_reaches_all_of_its_spans() {
+    type Comb = [Leaf; 4];
+    let comb = [(0, 1), (2, 3), (4, 5), (6, 7)].map(leaf);
+    assert_eq!(Comb::SPANS, 4);
+    assert_eq!(count(&comb, SpanList::<_, { Comb::STACK }>::new()), 4);
 }
 
 /// The right operand is worked out above the left one's finished spans, and needs its whole
