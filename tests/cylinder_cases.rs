@@ -180,6 +180,17 @@ macro_rules! cases {
                 let mut list = SpanList::<S, 16>::new();
                 assert!(nothing.trace(&ray, &mut list).is_empty());
                 assert!((low & high).trace(&ray, &mut list).is_empty());
+
+                // Whichever way their axes point.
+                let [start, middle, end] = [-2.0, 0.0, 2.0].map(|x| vec3(x, 0.0, 0.0));
+                for (from, to) in [(start, middle), (middle, start)] {
+                    for (other_from, other_to) in [(middle, end), (end, middle)] {
+                        let low = Cylinder::<S>::between(from, to, 5.0).unwrap();
+                        let high = Cylinder::<S>::between(other_from, other_to, 5.0).unwrap();
+                        assert_eq!((low | high).trace(&ray, &mut list).len(), 1);
+                        assert!((low & high).trace(&ray, &mut list).is_empty());
+                    }
+                }
             }
 
             /// t = 0 is on the ray: a test for t > 0 would see the far side, or nothing.

@@ -87,12 +87,16 @@ impl<S: Scalar> Vec3<S> {
     /// with a coordinate that is infinite or NaN. Neither overflows nor loses small vectors.
     #[must_use]
     pub fn normalized(self) -> Option<Self> {
-        let largest = self.max_abs();
-        if !self.is_finite() || largest <= S::ZERO {
-            return None;
-        }
-        let scaled = self * largest.normalizing_power();
-        Some(scaled * (S::ONE / scaled.length_squared().sqrt()))
+        let scaled = self.scaled_to_one();
+        let length = scaled.length_squared().positive()?.sqrt();
+        self.is_finite().then(|| scaled * (S::ONE / length))
+    }
+
+    /// The vector times a power of two, which is exact, so that its largest coordinate comes to
+    /// lie between 1 and 2 or as near as the type's range allows.
+    #[must_use]
+    pub fn scaled_to_one(self) -> Self {
+        self * self.max_abs().normalizing_power()
     }
 }
 

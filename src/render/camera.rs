@@ -54,8 +54,9 @@ impl<S: Scalar> Gaze<S> {
             return Err(CameraError::NotFinite);
         }
         let forward = along.normalized().ok_or(CameraError::ZeroDirection)?;
-        let up = up.normalized().ok_or(CameraError::UpAlongView)?;
-        let right = forward.cross(up).normalized().ok_or(CameraError::UpAlongView)?;
+        // Not of the unit vectors: their rounding would hide that the two are parallel.
+        let right = along.scaled_to_one().cross(up.scaled_to_one());
+        let right = right.normalized().ok_or(CameraError::UpAlongView)?;
         Ok(Self { target, right, down: forward.cross(right), forward })
     }
 

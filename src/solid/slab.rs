@@ -125,12 +125,30 @@ impl<S: Scalar> Slab<S> {
     #[inline]
     pub(super) fn span(&self, at_zero: S, speed: S) -> Option<Span<S>> {
         if speed == S::ZERO {
-            return (self.low < at_zero && at_zero < self.high)
-                .then_some(Span::whole_line(Face(0)));
+            return self.holds(at_zero).then_some(Span::whole_line(Face(0)));
         }
         let low = Crossing { t: (self.low - at_zero) / speed, face: Face(0) };
         let high = Crossing { t: (self.high - at_zero) / speed, face: Face(1) };
         if speed > S::ZERO { Span::new(low, high) } else { Span::new(high, low) }
+    }
+
+    /// Whether a line along the planes, at height `normal · p`, is inside.
+    ///
+    /// One of the two planes belongs to the slab: the lower one as seen along the first
+    /// coordinate axis that isn't parallel to them. So of two slabs on either side of a plane,
+    /// exactly one has it, whichever way their normals point.
+    fn holds(&self, height: S) -> bool {
+        let is_forward = self
+            .normal
+            .to_array()
+            .into_iter()
+            .find(|coordinate| *coordinate != S::ZERO)
+            .is_some_and(|coordinate| coordinate > S::ZERO);
+        if is_forward {
+            self.low <= height && height < self.high
+        } else {
+            self.low < height && height <= self.high
+        }
     }
 
     pub(super) fn line_span(&self, line: &Line<S>) -> Option<Span<S>> {
