@@ -233,39 +233,15 @@ fn percentiles(mut errors: Vec<f64>) -> [f64; 3] {
     [50, 99, 100].map(|percent| errors.get(rank(percent)).copied().unwrap_or(0.0))
 }
 
-/// What the 99th percentiles of t_in and t_out must stay below, in ulps: about one and a half
-/// times what they were when this was written. They keep the accuracy from getting worse; what
-/// it should be at all is what [`bound`] says.
-const P99: [(&str, [f64; 2]); 23] = [
-    ("benign", [2.4, 2.8]),
-    ("far_1e3", [1.0, 1.0]),
-    ("far_1e5", [1.0, 1.0]),
-    ("far_1e6", [1.0, 1.0]),
-    ("graze_1e-3", [7.6, 6.6]),
-    ("graze_1e-4", [33.0, 32.0]),
-    ("graze_1e-5", [93.0, 92.0]),
-    ("graze_1e-6", [360.0, 350.0]),
-    ("graze_1e-7", [950.0, 940.0]),
-    ("nearpar_1e-2", [7.2, 9.6]),
-    ("nearpar_1e-3", [210.0, 54.0]),
-    ("nearpar_1e-4", [1.0, 960.0]),
-    ("nearpar_1e-5", [16_000.0, 3_900.0]),
-    ("nearpar_1e-6", [610_000.0, 160_000.0]),
-    ("tiny", [2.4, 2.2]),
-    ("huge", [36_000.0, 28_000.0]),
-    ("inside", [16.0, 17.0]),
-    ("onsurf", [f64::INFINITY, f64::INFINITY]),
-    ("capedge", [5.1, 5.8]),
-    ("unnorm", [5.1, 2.1]),
-    ("unnorm_ext", [2.8, 2.5]),
-    ("par_exact", [1.5, 2.0]),
-    ("perp_exact", [3.8, 3.3]),
-];
+/// What no parameter may be farther off than, in ulps. Where the origin lies on the surface to
+/// within the rounding of its own coordinates (`onsurf`), parameters are near zero and an ulp of
+/// them says nothing; there only [`bound`] holds.
+const MOST_ULPS: f64 = 4.0;
 
 #[test]
 fn f32_parameters_in_ulps() {
     println!("{:13}{:>34}{:>34}", "set", "t_in p50 p99 max", "t_out p50 p99 max");
-    for (set, limits) in P99 {
+    for set in SETS {
         let rows = rows();
         let spans: Vec<[[f64; 2]; 2]> = rows
             .iter()
@@ -277,6 +253,7 @@ fn f32_parameters_in_ulps() {
         let (t_in, t_out) = (of(0), of(1));
         let text = |p: [f64; 3]| format!("{:10.1}{:12.1}{:12.1}", p[0], p[1], p[2]);
         println!("{set:13}{}{}", text(t_in), text(t_out));
-        assert!(t_in[1] <= limits[0] && t_out[1] <= limits[1], "{set}: {t_in:?} {t_out:?}");
+        let most = t_in[2].max(t_out[2]);
+        assert!(most <= MOST_ULPS || set == "onsurf", "{set}: {t_in:?} {t_out:?}");
     }
 }

@@ -1,10 +1,12 @@
 //! Vectors, rays, rigid motions, and the rays of a picture as functions of the pixel.
 
+mod direction;
 mod pixels;
 mod pose;
 mod ray;
 mod vec3;
 
+pub(crate) use direction::Direction;
 pub use pixels::{Column, Extent, Parallel, Pencil, Rays};
 pub use pose::Pose;
 pub use ray::{Line, Ray, RayError};

@@ -28,25 +28,42 @@ pub fn two_product<S: Split>(a: S, b: S) -> (S, S) {
     (product, error)
 }
 
+/// The product of two numbers and its rounding error, by a product of twice the width.
+///
+/// Where `f64` is as fast as `f32` this is faster than [`two_product`]; the bits are the same as
+/// long as no part of the error is below the smallest subnormal number.
+#[inline]
+#[cfg_attr(not(target_pointer_width = "64"), allow(dead_code))]
+fn two_product_wide(a: f32, b: f32) -> (f32, f32) {
+    let exact = f64::from(a) * f64::from(b);
+    let product = exact as f32;
+    (product, (exact - f64::from(product)) as f32)
+}
+
+#[cfg(not(target_pointer_width = "64"))]
+use two_product as two_product_f32;
+#[cfg(target_pointer_width = "64")]
+use two_product_wide as two_product_f32;
+
 /// `a·b − c·d` from error-free products, good to 2 units in the last place.
 ///
 /// Kahan's difference of products; the bound is that of Jeannerod, Louvet and Muller, *Further
 /// analysis of Kahan's algorithm for the accurate computation of 2×2 determinants*, Mathematics
 /// of Computation 82 (2013), section 4, with both products' errors kept.
 #[inline]
-pub fn product_difference<S: Split>(a: S, b: S, c: S, d: S) -> S {
-    let (ab, ab_error) = two_product(a, b);
-    let (cd, cd_error) = two_product(c, d);
+pub fn product_difference<S: Scalar>(a: S, b: S, c: S, d: S) -> S {
+    let (ab, ab_error) = S::two_product(a, b);
+    let (cd, cd_error) = S::two_product(c, d);
     (ab - cd) + (ab_error - cd_error)
 }
 
 /// The sum of three products in twice the working precision: algorithm `Dot2` of Ogita, Rump and
 /// Oishi, *Accurate sum and dot product*, SIAM Journal on Scientific Computing 26 (2005).
 #[inline]
-fn dot3<S: Split>(x: [S; 3], y: [S; 3]) -> S {
-    let (p0, e0) = two_product(x[0], y[0]);
-    let (p1, e1) = two_product(x[1], y[1]);
-    let (p2, e2) = two_product(x[2], y[2]);
+fn dot3<S: Scalar>(x: [S; 3], y: [S; 3]) -> S {
+    let (p0, e0) = S::two_product(x[0], y[0]);
+    let (p1, e1) = S::two_product(x[1], y[1]);
+    let (p2, e2) = S::two_product(x[2], y[2]);
     let (s, f1) = two_sum(p0, p1);
     let (s, f2) = two_sum(s, p2);
     s + (((e0 + e1) + f1) + (e2 + f2))
@@ -59,7 +76,7 @@ pub trait Split: Scalar {
 }
 
 macro_rules! float {
-    ($Float:ident, $Bits:ident, $splitter:literal, $sqrt:path, $sin_cos:path, $floor:path) => {
+    ($Float:ident, $Bits:ident, $splitter:literal, $two_product:path, $sqrt:path, $sin_cos:path, $floor:path) => {
         impl Split for $Float {
             #[inline]
             fn split(self) -> (Self, Self) {
@@ -122,6 +139,11 @@ macro_rules! float {
             }
 
             #[inline]
+            fn two_product(a: Self, b: Self) -> (Self, Self) {
+                $two_product(a, b)
+            }
+
+            #[inline]
             fn product_difference(a: Self, b: Self, c: Self, d: Self) -> Self {
                 product_difference(a, b, c, d)
             }
@@ -133,7 +155,7 @@ macro_rules! float {
 
             #[inline]
             fn add_product(a: Self, b: Self, c: Self) -> Self {
-                let (product, product_error) = two_product(b, c);
+                let (product, product_error) = Self::two_product(b, c);
                 let (sum, sum_error) = two_sum(a, product);
                 sum + (sum_error + product_error)
             }
@@ -141,8 +163,8 @@ macro_rules! float {
     };
 }
 
-float!(f32, u32, 4097.0, libm::sqrtf, libm::sincosf, libm::floorf);
-float!(f64, u64, 134_217_729.0, libm::sqrt, libm::sincos, libm::floor);
+float!(f32, u32, 4097.0, two_product_f32, libm::sqrtf, libm::sincosf, libm::floorf);
+float!(f64, u64, 134_217_729.0, two_product, libm::sqrt, libm::sincos, libm::floor);
 
 #[cfg(test)]
 mod tests {
@@ -156,6 +178,16 @@ mod tests {
             prop_assert_eq!(product, a * b);
             // The exact product of two f32 fits an f64.
             prop_assert_eq!(f64::from(product) + f64::from(error), f64::from(a) * f64::from(b));
+        }
+
+        #[test]
+        fn both_products_have_the_same_bits(
+            x in 1f32..2.0, y in -2f32..-1.0, x_exponent in -50..50, y_exponent in -50..50,
+        ) {
+            // The range where neither the split overflows nor the error underflows.
+            let (a, b) = (x * 2f32.powi(x_exponent), y * 2f32.powi(y_exponent));
+            let bits = |(product, error): (f32, f32)| (product.to_bits(), error.to_bits());
+            prop_assert_eq!(bits(two_product(a, b)), bits(two_product_wide(a, b)));
         }
 
         #[test]

@@ -7,9 +7,11 @@
 //! Results have the same bits on every target. So nothing here calls a platform's maths library,
 //! contracts a product and a sum, or leaves the order of operations open.
 
+mod double;
 mod float;
 mod root;
 
+pub(crate) use self::double::Double;
 pub use self::float::{product_difference, two_product, two_sum};
 pub(crate) use self::root::sqrt as const_sqrt;
 
@@ -75,6 +77,9 @@ pub trait Scalar:
     /// range allows.
     #[must_use]
     fn normalizing_power(self) -> Self;
+
+    /// The product and its rounding error, exactly: `a·b = product + error`.
+    fn two_product(a: Self, b: Self) -> (Self, Self);
 
     /// `a·b − c·d` with an error of at most 2 units in the last place of the result, also where
     /// the two products nearly cancel.

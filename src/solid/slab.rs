@@ -2,7 +2,7 @@
 
 use super::row::{ConvexRow, Leaf, Project, View};
 use super::{Shape, Solid};
-use crate::geom::{Extent, Line, Parallel, Pencil, Vec3};
+use crate::geom::{Direction, Extent, Line, Parallel, Pencil, Vec3};
 use crate::scalar::{Scalar, const_sqrt};
 use crate::span::{Crossing, Face, Span, SpanStack};
 
@@ -15,7 +15,7 @@ use crate::span::{Crossing, Face, Span, SpanStack};
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Slab<S> {
-    pub(super) normal: Vec3<S>,
+    pub(super) normal: Direction<S>,
     pub(super) low: S,
     pub(super) high: S,
 }
@@ -47,7 +47,7 @@ macro_rules! constructors {
             /// # Errors
             /// [`SlabError::NotFinite`], [`SlabError::Empty`].
             pub const fn along_x(low: $Float, high: $Float) -> Result<Self, SlabError> {
-                Self::between(Vec3::new(1.0, 0.0, 0.0), low, high)
+                Self::between(Direction::<$Float>::X, low, high)
             }
 
             /// The points with `low ≤ y ≤ high`.
@@ -55,7 +55,7 @@ macro_rules! constructors {
             /// # Errors
             /// As [`along_x`](Self::along_x).
             pub const fn along_y(low: $Float, high: $Float) -> Result<Self, SlabError> {
-                Self::between(Vec3::new(0.0, 1.0, 0.0), low, high)
+                Self::between(Direction::<$Float>::Y, low, high)
             }
 
             /// The points with `low ≤ z ≤ high`.
@@ -63,7 +63,7 @@ macro_rules! constructors {
             /// # Errors
             /// As [`along_x`](Self::along_x).
             pub const fn along_z(low: $Float, high: $Float) -> Result<Self, SlabError> {
-                Self::between(Vec3::new(0.0, 0.0, 1.0), low, high)
+                Self::between(Direction::<$Float>::Z, low, high)
             }
 
             /// The points with `low ≤ n·p ≤ high`, where n is `normal` brought to length 1.
@@ -78,15 +78,15 @@ macro_rules! constructors {
                 match unit([normal.x as f64, normal.y as f64, normal.z as f64]) {
                     Ok(([x, y, z], _)) => {
                         let normal = Vec3::new(x as $Float, y as $Float, z as $Float);
-                        Self::between(normal, low, high)
+                        Self::between(Direction::<$Float>::new(normal), low, high)
                     }
                     Err(error) => Err(error),
                 }
             }
 
-            /// The slab of a normal that has length 1 already.
+            /// The slab of a normal.
             pub(super) const fn between(
-                normal: Vec3<$Float>,
+                normal: Direction<$Float>,
                 low: $Float,
                 high: $Float,
             ) -> Result<Self, SlabError> {
@@ -140,6 +140,7 @@ impl<S: Scalar> Slab<S> {
     fn holds(&self, height: S) -> bool {
         let is_forward = self
             .normal
+            .vector()
             .to_array()
             .into_iter()
             .find(|coordinate| *coordinate != S::ZERO)
@@ -152,14 +153,12 @@ impl<S: Scalar> Slab<S> {
     }
 
     pub(super) fn line_span(&self, line: &Line<S>) -> Option<Span<S>> {
-        self.span(
-            self.normal.dot_compensated(line.origin),
-            self.normal.dot_compensated(line.direction),
-        )
+        self.span(self.normal.dot(line.origin), self.normal.dot(line.direction))
     }
 
     pub(super) fn face_normal(&self, face: Face) -> Vec3<S> {
-        if face.0 == 0 { -self.normal } else { self.normal }
+        let normal = self.normal.vector();
+        if face.0 == 0 { -normal } else { normal }
     }
 }
 
@@ -188,9 +187,8 @@ impl<S: Scalar> Project<Parallel<S>> for Slab<S> {
     fn view(&self, rays: &Parallel<S>) -> ParallelView<S> {
         ParallelView {
             slab: *self,
-            height: [rays.center, rays.right, rays.down]
-                .map(|step| self.normal.dot_compensated(step)),
-            speed: self.normal.dot_compensated(rays.forward),
+            height: [rays.center, rays.right, rays.down].map(|step| self.normal.dot(step)),
+            speed: self.normal.dot(rays.forward),
             columns: rays.columns,
         }
     }

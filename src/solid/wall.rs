@@ -46,10 +46,12 @@ impl<S: Scalar> CylinderWall<S> {
     #[must_use]
     pub fn hit(&self, ray: &Ray<S>) -> Option<WallHit<S>> {
         let line = ray.line();
-        let Meeting::Chord { middle, half } = self.tube.meet(line) else { return None };
-        let x_at_zero = self.caps.normal.dot_compensated(line.origin);
-        let speed = self.caps.normal.dot_compensated(line.direction);
-        [(middle - half, false), (middle + half, true)]
+        let Meeting::Points(enter, exit) = self.tube.meet(&self.caps.normal, line) else {
+            return None;
+        };
+        let x_at_zero = self.caps.normal.dot(line.origin);
+        let speed = self.caps.normal.dot(line.direction);
+        [(enter, false), (exit, true)]
             .into_iter()
             .find(|&(t, _)| {
                 let x = S::add_product(x_at_zero, t, speed);
@@ -57,7 +59,7 @@ impl<S: Scalar> CylinderWall<S> {
             })
             .map(|(t, inner)| {
                 let point = line.at(t);
-                let outward = self.tube.normal(point);
+                let outward = self.tube.normal(&self.caps.normal, point);
                 let normal = if inner { -outward } else { outward };
                 WallHit { t: ray.parameter(t), point, normal, inner }
             })

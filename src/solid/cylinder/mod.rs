@@ -8,7 +8,7 @@ pub(super) use tube::{Meeting, Tube};
 
 use super::slab::{Slab, SlabError, unit};
 use super::{Shape, Solid};
-use crate::geom::{Line, Vec3};
+use crate::geom::{Direction, Line, Vec3};
 use crate::scalar::Scalar;
 use crate::span::{Crossing, Face, Span, SpanStack};
 
@@ -61,7 +61,7 @@ macro_rules! constructors {
                 x_min: $Float,
                 x_max: $Float,
             ) -> Result<Self, CylinderError> {
-                let axis = Vec3::new(1.0, 0.0, 0.0);
+                let axis = Direction::<$Float>::X;
                 Self::around(Vec3::new(0.0, y, z), axis, radius, x_min, x_max)
             }
 
@@ -77,7 +77,7 @@ macro_rules! constructors {
                 y_min: $Float,
                 y_max: $Float,
             ) -> Result<Self, CylinderError> {
-                let axis = Vec3::new(0.0, 1.0, 0.0);
+                let axis = Direction::<$Float>::Y;
                 Self::around(Vec3::new(x, 0.0, z), axis, radius, y_min, y_max)
             }
 
@@ -93,7 +93,7 @@ macro_rules! constructors {
                 z_min: $Float,
                 z_max: $Float,
             ) -> Result<Self, CylinderError> {
-                let axis = Vec3::new(0.0, 0.0, 1.0);
+                let axis = Direction::<$Float>::Z;
                 Self::around(Vec3::new(x, y, 0.0), axis, radius, z_min, z_max)
             }
 
@@ -124,12 +124,13 @@ macro_rules! constructors {
                 let [x, y, z] = [axis.x as f64, axis.y as f64, axis.z as f64];
                 let low = x * start[0] + y * start[1] + z * start[2];
                 let high = x * end[0] + y * end[1] + z * end[2];
+                let axis = Direction::<$Float>::new(axis);
                 Self::around(from, axis, radius, low as $Float, high as $Float)
             }
 
             const fn around(
                 base: Vec3<$Float>,
-                axis: Vec3<$Float>,
+                axis: Direction<$Float>,
                 radius: $Float,
                 low: $Float,
                 high: $Float,
@@ -144,7 +145,7 @@ macro_rules! constructors {
                     return Err(CylinderError::Radius);
                 }
                 match Slab::<$Float>::between(axis, low, high) {
-                    Ok(caps) => Ok(Self { tube: Tube { base, axis, radius }, caps }),
+                    Ok(caps) => Ok(Self { tube: Tube { base, radius }, caps }),
                     Err(SlabError::NotFinite) => Err(CylinderError::NotFinite),
                     Err(_) => Err(CylinderError::Empty),
                 }
@@ -164,10 +165,13 @@ impl<S: Scalar> Shape for Cylinder<S> {
 
 impl<S: Scalar> Solid for Cylinder<S> {
     fn spans(&self, line: &Line<S>, first: Face, stack: &mut SpanStack<'_, S>) {
-        let within_wall = match self.tube.meet(line) {
+        let within_wall = match self.tube.meet(&self.caps.normal, line) {
             Meeting::Beside | Meeting::Along => None,
             Meeting::Within => Some(Span::whole_line(WALL)),
-            Meeting::Chord { middle, half } => wall_span(middle, half),
+            Meeting::Points(enter, exit) => {
+                let at = |t| Crossing { t, face: WALL };
+                Span::new(at(enter), at(exit))
+            }
         };
         let Some(span) = within_wall else { return };
         let between_caps = self.caps.line_span(line);
@@ -177,7 +181,11 @@ impl<S: Scalar> Solid for Cylinder<S> {
     }
 
     fn normal(&self, face: Face, at: Vec3<S>) -> Vec3<S> {
-        if face == WALL { self.tube.normal(at) } else { self.caps.face_normal(face) }
+        if face == WALL {
+            self.tube.normal(&self.caps.normal, at)
+        } else {
+            self.caps.face_normal(face)
+        }
     }
 }
 
@@ -192,8 +200,9 @@ impl<S: Scalar> Cylinder<S> {
     fn bounding_ball(&self) -> (Vec3<S>, S) {
         let half = S::from_halves(1);
         let middle = (self.caps.low + self.caps.high) * half;
-        let Tube { base, axis, radius } = self.tube;
-        let center = base + axis * (middle - axis.dot_compensated(base));
+        let Tube { base, radius } = self.tube;
+        let axis = &self.caps.normal;
+        let center = base + axis.vector() * (middle - axis.dot(base));
         let half_length = (self.caps.high - self.caps.low) * half;
         (center, (radius * radius + half_length * half_length).sqrt())
     }

@@ -16,7 +16,7 @@ impl<S: Scalar> Project<Parallel<S>> for Cylinder<S> {
     type View<'a> = ParallelView<S>;
 
     fn view(&self, rays: &Parallel<S>) -> ParallelView<S> {
-        let axis = self.tube.axis;
+        let axis = self.caps.normal.vector();
         let u = rays.center - self.tube.base;
         let m = rays.forward.cross(axis);
         let moments = [u, rays.right, rays.down].map(|step| step.cross(axis));

@@ -16,7 +16,7 @@ impl<S: Scalar> Project<Pencil<S>> for Cylinder<S> {
     type View<'a> = PencilView<S>;
 
     fn view(&self, rays: &Pencil<S>) -> PencilView<S> {
-        let axis = self.tube.axis;
+        let axis = self.caps.normal.vector();
         let plane = &rays.plane;
         let convergence = rays.convergence;
         let u = plane.center - self.tube.base;

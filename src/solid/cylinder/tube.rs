@@ -1,20 +1,23 @@
 //! The infinite cylinder: the wall of everything in this module.
 //!
-//! With u = p − base, m = d × axis and q = u × axis, the points of a line at distance r from the
-//! axis are the roots of `|q + t·m|² = r²`. Their middle is `−q·m/|m|²`, and their discriminant
-//! `r²|m|² − (q × m)²`, whose last term is (u·m)²: no squares of large distances cancel. The axis
-//! is never normalised away, and `|d × axis|²` is never 1 − d²: a line along the axis gives m = 0
-//! exactly.
+//! With u = p − base, m = d × axis and q = u × axis, a line's points at distance r from the axis
+//! are the roots of `a t² + 2 b t + c = 0` with a = |m|², b = q·m and c = |q|² − r². The
+//! discriminant b² − ac is computed as `r²a − k²`, k = u·m: no squares of large distances cancel.
+//! With s = |b| + √D the roots are s/a and c/s, up to a sign: no roots of equal size cancel.
+//! (W. Kahan, *On the cost of floating-point computation without extra-precise arithmetic*, 2004.)
+//!
+//! The axis is never normalised away, and `|d × axis|²` is never 1 − d²: a line along the axis
+//! gives m = 0 exactly.
 
-use crate::geom::{Line, Vec3};
-use crate::scalar::Scalar;
+use crate::geom::{Direction, Line, Vec3};
+use crate::scalar::{Double, Scalar};
 
-/// All points within `radius` of the line through `base` along `axis`, which has length 1.
+/// All points within `radius` of a line through `base`; the line's direction, the axis, is that of
+/// the slab that cuts the tube.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(in crate::solid) struct Tube<S> {
     pub(in crate::solid) base: Vec3<S>,
-    pub(in crate::solid) axis: Vec3<S>,
     pub(in crate::solid) radius: S,
 }
 
@@ -23,8 +26,8 @@ pub(in crate::solid) struct Tube<S> {
 pub(in crate::solid) enum Meeting<S> {
     /// Nowhere: the line passes it by.
     Beside,
-    /// At `middle` ± `half`; `half` is zero for a tangent.
-    Chord { middle: S, half: S },
+    /// At two parameters in ascending order, which are the same for a tangent.
+    Points(S, S),
     /// Nowhere: the line is parallel to the axis, inside the wall.
     Within,
     /// The line is parallel to the axis, outside the wall or on it.
@@ -32,26 +35,114 @@ pub(in crate::solid) enum Meeting<S> {
 }
 
 impl<S: Scalar> Tube<S> {
-    pub(in crate::solid) fn meet(&self, line: &Line<S>) -> Meeting<S> {
+    /// Where the line meets the wall: quickly, where little cancels.
+    ///
+    /// The discriminant is a difference of terms up to r²a, and its error reaches s divided by
+    /// 2√D. Along a coordinate axis it comes cheaply in twice the working precision; along others
+    /// it is kept where that quotient is small. Plain sums are good enough for b if it isn't small
+    /// beside |q||m| with s small as well, and for c from some way off the wall on.
+    pub(in crate::solid) fn meet(&self, axis: &Direction<S>, line: &Line<S>) -> Meeting<S> {
         let u = line.origin - self.base;
-        let m = line.direction.cross(self.axis);
-        let q = u.cross(self.axis);
-        let a = m.length_squared();
-        if a <= S::ZERO {
-            let inside = q.length_squared() < self.radius * self.radius;
-            return if inside { Meeting::Within } else { Meeting::Along };
+        let d = line.direction;
+        let radius_squared = Double::product(self.radius, self.radius);
+        let (a, b, discriminant, distance_squared, is_precise) = match axis.along() {
+            // q and m are two coordinates of u and d, turned by 90°.
+            Some(along) => {
+                let ([q0, q1], [m0, m1]) = (along.across(u), along.across(d));
+                let a = Double::product(m0, m0).plus_roughly(Double::product(m1, m1));
+                let k = Double::product(q0, m1).minus_roughly(Double::product(q1, m0));
+                let discriminant = Double::product_less_square(radius_squared, a, k);
+                (a.high, q0 * m0 + q1 * m1, discriminant, q0 * q0 + q1 * q1, true)
+            }
+            None => {
+                let (m, q) = (d.cross(axis.vector()), u.cross(axis.vector()));
+                let (a, b, k) = (m.length_squared(), q.dot(m), u.dot_compensated(m));
+                let largest = radius_squared.high * a;
+                let discriminant = largest - k * k;
+                let error = largest * S::EPSILON * S::from_halves(2 * 8);
+                let is_precise = if discriminant < S::ZERO {
+                    discriminant < -error
+                } else {
+                    discriminant * (discriminant + b * b) > largest * largest
+                };
+                (a, b, discriminant, q.length_squared(), is_precise)
+            }
+        };
+        if is_precise && discriminant < S::ZERO {
+            return Meeting::Beside;
         }
-        let k = u.dot_compensated(m);
-        let discriminant = S::product_difference(self.radius * self.radius, a, k, k);
+        let c = distance_squared - radius_squared.high;
+        let s = discriminant.max(S::ZERO).sqrt() + b.abs();
+        let is_clear = c.abs() + c.abs() >= distance_squared + radius_squared.high
+            && s * s * S::from_halves(2 * 4) > distance_squared * a;
+        if is_precise && is_clear {
+            Meeting::roots(s / a, c / s, b)
+        } else {
+            self.meet_closely(axis, line)
+        }
+    }
+
+    /// Where the line meets the wall: in twice the working precision throughout.
+    #[cold]
+    #[inline(never)]
+    fn meet_closely(&self, axis: &Direction<S>, line: &Line<S>) -> Meeting<S> {
+        let [ux, uy, uz] = difference(line.origin, self.base);
+        let [dx, dy, dz] = line.direction.to_array().map(Double::from);
+        let [ax, ay, az] = axis.vector().to_array().map(Double::from);
+        let m = cross([dx, dy, dz], [ax, ay, az]);
+        let q = cross([ux, uy, uz], [ax, ay, az]);
+        let k = dot([ux, uy, uz], m);
+        let radius_squared = Double::product(self.radius, self.radius);
+        let a = dot(m, m);
+        let c = dot(q, q).minus(radius_squared).round();
+        if a.high <= S::ZERO {
+            return if c < S::ZERO { Meeting::Within } else { Meeting::Along };
+        }
+        let discriminant = radius_squared.times(a).minus(k.times(k)).round();
         if discriminant < S::ZERO {
             return Meeting::Beside;
         }
-        Meeting::Chord { middle: -q.dot_compensated(m) / a, half: discriminant.sqrt() / a }
+        let b = dot(q, m).round();
+        let s = discriminant.sqrt() + b.abs();
+        let far = s / a.round();
+        // A tangent at the line's own origin has both roots there.
+        let near = if s > S::ZERO { c / s } else { far };
+        Meeting::roots(far, near, b)
     }
 
     /// The outward normal at a point of the wall: (0, y, z)/r in the cylinder's own frame.
-    pub(in crate::solid) fn normal(&self, at: Vec3<S>) -> Vec3<S> {
+    pub(in crate::solid) fn normal(&self, axis: &Direction<S>, at: Vec3<S>) -> Vec3<S> {
         let u = at - self.base;
-        (u - self.axis * u.dot(self.axis)) * (S::ONE / self.radius)
+        (u - axis.vector() * u.dot(axis.vector())) * (S::ONE / self.radius)
     }
+}
+
+impl<S: Scalar> Meeting<S> {
+    /// The points from the roots' sizes: `far` = (|b| + √D)/a, and `near` = c/(|b| + √D).
+    fn roots(far: S, near: S, b: S) -> Self {
+        let (one, other) = if b > S::ZERO { (-far, -near) } else { (near, far) };
+        // A tangent's roots may come out in the wrong order by a rounding error.
+        if one < other { Self::Points(one, other) } else { Self::Points(other, one) }
+    }
+}
+
+fn dot<S: Scalar>(x: [Double<S>; 3], y: [Double<S>; 3]) -> Double<S> {
+    let [x0, x1, x2] = x;
+    let [y0, y1, y2] = y;
+    x0.times(y0).plus(x1.times(y1)).plus(x2.times(y2))
+}
+
+fn cross<S: Scalar>(x: [Double<S>; 3], y: [Double<S>; 3]) -> [Double<S>; 3] {
+    let [x0, x1, x2] = x;
+    let [y0, y1, y2] = y;
+    [
+        x1.times(y2).minus(x2.times(y1)),
+        x2.times(y0).minus(x0.times(y2)),
+        x0.times(y1).minus(x1.times(y0)),
+    ]
+}
+
+/// `p − q`, exactly.
+fn difference<S: Scalar>(p: Vec3<S>, q: Vec3<S>) -> [Double<S>; 3] {
+    [Double::sum(p.x, -q.x), Double::sum(p.y, -q.y), Double::sum(p.z, -q.z)]
 }
