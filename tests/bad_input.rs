@@ -90,11 +90,48 @@ macro_rules! bad_input {
                 }
             }
 
-            /// Ends so far apart that their distance overflows: an error, and no solid of NaNs.
+            /// Numbers whose squares would overflow or vanish are errors, and no solid of NaNs or one
+            /// that no ray can hit.
             #[test]
-            fn a_cylinder_longer_than_numbers_reach() {
+            fn beyond_the_range_of_the_number_type() {
+                use scancsg::scalar::Scalar;
                 let end = vec3(S::MAX, S::MAX, S::MAX);
-                assert_eq!(Cylinder::<S>::between(-end, end, 1.0), Err(CylinderError::NotFinite));
+                assert_eq!(Cylinder::<S>::between(-end, end, 1.0), Err(CylinderError::TooFar));
+                let (far, huge, tiny) = (S::REACH * 2.0, S::REACH * 2.0, S::FINEST * 0.5);
+                let away = vec3(0.0, far, 0.0);
+                assert_eq!(Sphere::<S>::new(away, 1.0), Err(SphereError::TooFar));
+                assert_eq!(
+                    Cylinder::<S>::along_x(far, 0.0, 1.0, 0.0, 1.0),
+                    Err(CylinderError::TooFar)
+                );
+                for radius in [huge, tiny] {
+                    assert_eq!(Sphere::<S>::new(Vec3::ZERO, radius), Err(SphereError::Radius));
+                    let cylinder = Cylinder::<S>::along_z(0.0, 0.0, radius, 0.0, 1.0);
+                    assert_eq!(cylinder, Err(CylinderError::Radius));
+                }
+                let (x, y) = (vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0));
+                assert_eq!(Ray::<S>::new(away, x), Err(RayError::TooFar));
+                let tiny_frame =
+                    Orthographic::<S>::look_along(x, Vec3::ZERO, y, S::MIN_POSITIVE / 64.0);
+                assert_eq!(tiny_frame, Err(CameraError::FrameHeight));
+                let far_target = Orthographic::<S>::look_along(x, away, y, 1.0);
+                assert_eq!(far_target, Err(CameraError::TooFar));
+                let at = |distance| Perspective::<S>::look_at(x * distance, Vec3::ZERO, y, 1.0);
+                assert_eq!(at(far), Err(CameraError::TooFar));
+                assert_eq!(at(S::MIN_POSITIVE / 64.0), Err(CameraError::ZeroDirection));
+
+                // And just inside of the range, everything can be seen.
+                for radius in [S::FINEST, S::REACH] {
+                    let ball = Sphere::<S>::new(Vec3::ZERO, radius).unwrap();
+                    let rod = Cylinder::<S>::along_z(0.0, 0.0, radius, -radius, radius).unwrap();
+                    let ray = Ray::<S>::new(-x * radius, x).unwrap();
+                    for end in [
+                        ball.trace(&ray, &mut SpanList::<S, 1>::new())[0].exit.t,
+                        rod.trace(&ray, &mut SpanList::<S, 1>::new())[0].exit.t,
+                    ] {
+                        assert!((end / radius - 2.0).abs() < 1e-6, "{end} for {radius}");
+                    }
+                }
             }
 
             #[test]
@@ -307,8 +344,8 @@ fn a_run_from_elsewhere() {
     let mut list = SpanList::<f32, { Part::STACK }>::new();
     let beyond = Run { columns: 65_530..u16::MAX, is_background: false };
     let mut pixels = [Gray8(99); 5];
-    assert_eq!(scanline.render_run(&beyond, &mut list, &mut pixels), Ok(()));
-    assert_eq!(pixels, [Gray8(17); 5]);
+    assert_eq!(scanline.render_run(&beyond, &mut list, &mut pixels), Err(RowError::Index));
+    assert_eq!(pixels, [Gray8(99); 5]);
     assert!(scanline.spans(u16::MAX, &mut list).is_empty());
 }
 

@@ -64,8 +64,8 @@ fn merged(operation: Operation, parts: [&[Span<f32>]; 3]) -> Vec<Span<f32>> {
     let [below, left, right] = parts;
     let mut list = SpanList::<f32, 30>::new();
     let mut stack = list.stack();
-    parts.concat().into_iter().for_each(|span| stack.push(span));
-    merge(operation, &mut stack, below.len(), below.len() + left.len());
+    parts.concat().into_iter().for_each(|span| stack.push(span).unwrap());
+    merge(operation, &mut stack, below.len(), below.len() + left.len()).unwrap();
     assert!(list.len() >= below.len(), "{operation:?} of {left:?} and {right:?} ate the stack");
     list.to_vec()
 }

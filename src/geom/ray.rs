@@ -33,11 +33,14 @@ pub enum RayError {
     NotFinite,
     /// The direction is zero.
     ZeroDirection,
+    /// The origin is farther from the scene's than [`Scalar::REACH`].
+    TooFar,
 }
 
 crate::error_text!(RayError {
     NotFinite => "a coordinate of the ray is infinite or not a number",
     ZeroDirection => "the direction of the ray is zero",
+    TooFar => "the ray starts too far away for its number type",
 });
 
 /// A ray `p(t) = origin + t · direction`, t ≥ 0, checked and made ready for any number of solids.
@@ -61,10 +64,14 @@ impl<S: Scalar> Ray<S> {
     /// A ray from `origin` along `direction`, which may have any length but zero.
     ///
     /// # Errors
-    /// [`RayError::NotFinite`] for infinite or NaN coordinates, [`RayError::ZeroDirection`].
+    /// [`RayError::NotFinite`] for infinite or NaN coordinates, [`RayError::ZeroDirection`],
+    /// [`RayError::TooFar`].
     pub fn new(origin: Vec3<S>, direction: Vec3<S>) -> Result<Self, RayError> {
         if !origin.is_finite() || !direction.is_finite() {
             return Err(RayError::NotFinite);
+        }
+        if origin.max_abs() > S::REACH {
+            return Err(RayError::TooFar);
         }
         let largest = direction.max_abs();
         if largest <= S::ZERO {

@@ -100,6 +100,23 @@ impl<S: Scalar> Vec3<S> {
     }
 }
 
+/// What constructors check, for constants: traits have no `const` methods yet.
+macro_rules! checks {
+    ($($Float:ident),+) => {$(
+        impl Vec3<$Float> {
+            pub(crate) const fn has_finite_coordinates(self) -> bool {
+                self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
+            }
+
+            pub(crate) const fn is_within_reach(self) -> bool {
+                self.x.abs().max(self.y.abs()).max(self.z.abs()) <= <$Float>::REACH
+            }
+        }
+    )+};
+}
+
+checks!(f32, f64);
+
 impl<S: Scalar> Add for Vec3<S> {
     type Output = Self;
     #[inline]

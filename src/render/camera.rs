@@ -20,8 +20,11 @@ pub trait Camera {
 pub enum CameraError {
     /// A coordinate is infinite or NaN.
     NotFinite,
-    /// The viewing direction is zero: the eye lies on the target.
+    /// The viewing direction is zero: the eye lies on the target, or too near to it to have an
+    /// inverse distance.
     ZeroDirection,
+    /// The target or the eye is farther away than [`Scalar::REACH`].
+    TooFar,
     /// The camera looks along its up vector, or that vector is zero.
     UpAlongView,
     /// The frame height is not a positive finite number.
@@ -33,6 +36,7 @@ pub enum CameraError {
 crate::error_text!(CameraError {
     NotFinite => "a coordinate of the camera is infinite or not a number",
     ZeroDirection => "the camera has no viewing direction: the eye lies on the target",
+    TooFar => "the camera is too far away for its number type",
     UpAlongView => "the camera looks along its up vector, or that vector is zero",
     FrameHeight => "the frame height of the camera is not a positive number",
     FieldOfView => "the field of view of the camera is not between 0 and pi",
@@ -52,6 +56,9 @@ impl<S: Scalar> Gaze<S> {
     fn new(target: Vec3<S>, along: Vec3<S>, up: Vec3<S>) -> Result<Self, CameraError> {
         if !(target.is_finite() && along.is_finite() && up.is_finite()) {
             return Err(CameraError::NotFinite);
+        }
+        if target.max_abs() > S::REACH {
+            return Err(CameraError::TooFar);
         }
         let forward = along.normalized().ok_or(CameraError::ZeroDirection)?;
         // Not of the unit vectors: their rounding would hide that the two are parallel.
@@ -73,7 +80,8 @@ impl<S: Scalar> Gaze<S> {
 }
 
 fn checked_height<S: Scalar>(frame_height: S) -> Result<S, CameraError> {
-    if frame_height.is_finite() && frame_height > S::ZERO {
+    let is_positive = frame_height > S::ZERO && (S::ONE / frame_height).is_finite();
+    if is_positive && frame_height.is_finite() {
         Ok(frame_height)
     } else {
         Err(CameraError::FrameHeight)
@@ -156,6 +164,13 @@ impl<S: Scalar> Perspective<S> {
         }
         let (sin, cos) = (field_of_view * S::from_halves(1)).sin_cos();
         let distance = gaze.forward.dot_compensated(target - eye);
+        if distance > S::REACH {
+            return Err(CameraError::TooFar);
+        }
+        let convergence = S::ONE / distance;
+        if !convergence.is_finite() {
+            return Err(CameraError::ZeroDirection);
+        }
         let frame_height = (distance + distance) * (sin / cos);
         let frame_height = checked_height(frame_height).map_err(|_| CameraError::FieldOfView)?;
         Ok(Self { gaze, distance, frame_height })

@@ -51,14 +51,14 @@ pub struct Picture<'a, T: Project<R>, R, H, P> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum RowError {
-    /// The index is not below the picture's height.
+    /// The index of a row or column is not inside the picture.
     Index,
     /// The caller's slice has not as many pixels as there are columns to fill.
     Length,
 }
 
 crate::error_text!(RowError {
-    Index => "the row index is not below the height of the picture",
+    Index => "the index of a row or column is not inside the picture",
     Length => "the slice for the pixels is shorter or longer than the row or run",
 });
 
@@ -186,7 +186,8 @@ where
     /// Renders one run into `pixels`.
     ///
     /// # Errors
-    /// [`RowError::Length`] if `pixels` is not as long as the run; nothing is written then.
+    /// [`RowError::Length`] if `pixels` is not as long as the run, [`RowError::Index`] if the run
+    /// ends beyond the picture; nothing is written then.
     pub fn render_run<const N: usize>(
         &self,
         run: &Run,
@@ -195,6 +196,9 @@ where
     ) -> Result<(), RowError> {
         if pixels.len() != run.columns.len() {
             return Err(RowError::Length);
+        }
+        if run.columns.end > self.picture.size.width() {
+            return Err(RowError::Index);
         }
         if run.is_background {
             pixels.fill(self.picture.background);

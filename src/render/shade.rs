@@ -115,7 +115,8 @@ impl<S: Scalar> Shader<S> for Depth<S> {
 }
 
 /// The length of the ray's way inside the solid: the longer, the brighter, and white from a given
-/// thickness on. Cavities count for nothing.
+/// thickness on. Cavities count for nothing. Only pixels that see a surface are shaded: an
+/// orthographic camera inside an endless slab, looking along it, shows the background.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct XRay<S> {

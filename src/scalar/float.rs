@@ -76,7 +76,7 @@ pub trait Split: Scalar {
 }
 
 macro_rules! float {
-    ($Float:ident, $Bits:ident, $splitter:literal, $two_product:path, $sqrt:path, $sin_cos:path, $floor:path) => {
+    ($Float:ident, $Bits:ident, $splitter:literal, $reach:literal, $finest:literal, $two_product:path, $sqrt:path, $sin_cos:path, $floor:path) => {
         impl Split for $Float {
             #[inline]
             fn split(self) -> (Self, Self) {
@@ -91,6 +91,8 @@ macro_rules! float {
             const ONE: Self = 1.0;
             const LOWEST: Self = $Float::NEG_INFINITY;
             const HIGHEST: Self = $Float::INFINITY;
+            const REACH: Self = $reach;
+            const FINEST: Self = $finest;
             const PI: Self = core::$Float::consts::PI;
             const EPSILON: Self = $Float::EPSILON;
 
@@ -112,6 +114,11 @@ macro_rules! float {
             #[inline]
             fn is_finite(self) -> bool {
                 $Float::is_finite(self)
+            }
+
+            #[inline]
+            fn is_normal(self) -> bool {
+                $Float::is_normal(self)
             }
 
             #[inline]
@@ -163,8 +170,8 @@ macro_rules! float {
     };
 }
 
-float!(f32, u32, 4097.0, two_product_f32, libm::sqrtf, libm::sincosf, libm::floorf);
-float!(f64, u64, 134_217_729.0, two_product, libm::sqrt, libm::sincos, libm::floor);
+float!(f32, u32, 4097.0, 1e15, 1e-12, two_product_f32, libm::sqrtf, libm::sincosf, libm::floorf);
+float!(f64, u64, 134_217_729.0, 1e60, 1e-60, two_product, libm::sqrt, libm::sincos, libm::floor);
 
 #[cfg(test)]
 mod tests {

@@ -45,6 +45,12 @@ pub trait Scalar:
     const LOWEST: Self;
     /// Above every parameter of a crossing: +∞ where the type has it.
     const HIGHEST: Self;
+    /// The largest coordinate and radius: 10¹⁵ for `f32`, 10⁶⁰ for `f64`. Up to there no square of a
+    /// product overflows. Beyond, constructors return errors.
+    const REACH: Self;
+    /// The smallest radius: 10⁻¹² for `f32`, 10⁻⁶⁰ for `f64`. Down to there the rounding errors of
+    /// squares can be represented. Below, constructors return errors.
+    const FINEST: Self;
     /// π, rounded.
     const PI: Self;
     /// The distance from 1 to the next larger number.
@@ -61,6 +67,10 @@ pub trait Scalar:
 
     /// Whether the number is neither infinite nor NaN.
     fn is_finite(self) -> bool;
+
+    /// Whether the number is finite and large enough to have all its digits: not zero, subnormal,
+    /// infinite or NaN.
+    fn is_normal(self) -> bool;
 
     /// The absolute value.
     #[must_use]

@@ -4,7 +4,7 @@ use super::row::{Project, Row, View};
 use super::{Cylinder, Painted, Placed, Rgb, Shape, Slab, Solid, Sphere};
 use crate::geom::{Column, Extent, Line, Vec3};
 use crate::scalar::Scalar;
-use crate::span::{Face, Operation, SpanStack, merge};
+use crate::span::{Face, Operation, SpanStack};
 use core::marker::PhantomData;
 use core::ops::{BitAnd, BitOr, Sub};
 
@@ -115,7 +115,7 @@ fn combine<S: Scalar>(
         return;
     }
     right(stack);
-    merge(operation, stack, left_start, right_start);
+    stack.merge(operation, left_start, right_start);
 }
 
 impl<O: Rule, L: Solid, R: Solid<Scalar = L::Scalar>> Solid for Boolean<O, L, R> {

@@ -9,7 +9,8 @@ use crate::span::{Face, Span, SpanStack};
 /// A convex solid: no line is inside it more than once.
 ///
 /// Whoever implements this has a [`Solid`] that can be combined, traced and rendered like the
-/// crate's own. It is asked anew for every pixel; the crate's primitives do better by keeping what
+/// crate's own; only to the left of an operator it must be wrapped, as in `Union::new(a, b)`. It
+/// is asked anew for every pixel; the crate's primitives do better by keeping what
 /// the view and the row decide.
 ///
 /// A half-space below a tilted roof, `n · p ≤ offset`:
@@ -60,7 +61,8 @@ pub trait Convex {
     const FACES: u16;
 
     /// The part of the line that is inside, with faces below [`FACES`](Self::FACES), in the
-    /// line's parameter. A span without length is none: see [`Span::new`].
+    /// line's parameter. A span without length is none: see [`Span::new`]. One that doesn't keep
+    /// to that, or has NaN in it, counts as none.
     fn span(&self, line: &Line<Self::Scalar>) -> Option<Span<Self::Scalar>>;
 
     /// The normal of length 1 that points out of the solid, at a point on one of its faces.
@@ -76,8 +78,8 @@ impl<T: Convex> Shape for T {
 
 impl<T: Convex> Solid for T {
     fn spans(&self, line: &Line<T::Scalar>, first: Face, stack: &mut SpanStack<'_, T::Scalar>) {
-        if let Some(span) = self.span(line) {
-            stack.push(span.with_faces_from(first));
+        if let Some(span) = self.span(line).and_then(Span::checked) {
+            stack.put(span.with_faces_from(first));
         }
     }
 
@@ -132,6 +134,6 @@ impl<T: Convex, R: Rays<Scalar = T::Scalar>> ConvexRow for EveryPixel<'_, T, R> 
     }
 
     fn span(&self, x: T::Scalar) -> Option<Span<T::Scalar>> {
-        self.view.solid.span(&self.view.rays.line(x, self.y))
+        self.view.solid.span(&self.view.rays.line(x, self.y)).and_then(Span::checked)
     }
 }

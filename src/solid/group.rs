@@ -5,7 +5,13 @@ use super::row::{Project, Row, View};
 use super::{Rgb, Shape, Solid};
 use crate::geom::{Column, Extent, Line, Vec3};
 use crate::scalar::Scalar;
-use crate::span::{Face, Operation, SpanStack, merge};
+use crate::span::{Face, Operation, SpanStack};
+
+const fn faces_of_group(count: usize, faces: u16) -> u16 {
+    assert!(count > 0, "a group of solids needs at least one");
+    assert!(count * faces as usize <= u16::MAX as usize, "the group has too many faces");
+    count as u16 * faces
+}
 
 const fn stack_of_group(count: usize, spans: usize, stack: usize) -> usize {
     // Before the last element: the union of all others. Then the element's own work, or the
@@ -17,12 +23,12 @@ const fn stack_of_group(count: usize, spans: usize, stack: usize) -> usize {
 
 impl<T: Shape, const N: usize> Shape for [T; N] {
     type Scalar = T::Scalar;
-    const SPANS: usize = N * T::SPANS;
-    const STACK: usize = stack_of_group(N, T::SPANS, T::STACK);
-    const FACES: u16 = {
-        assert!(N > 0, "a group of solids needs at least one");
-        N as u16 * T::FACES
+    const SPANS: usize = {
+        assert!(Self::FACES > 0);
+        N * T::SPANS
     };
+    const STACK: usize = stack_of_group(N, Self::SPANS / N, T::STACK);
+    const FACES: u16 = faces_of_group(N, T::FACES);
 }
 
 /// The element that a face belongs to, and the face within that element.
@@ -44,7 +50,7 @@ fn unite<S: Scalar>(
     for index in 0..count {
         let right = stack.len();
         push(index, face, stack);
-        merge(Operation::UNION, stack, left, right);
+        stack.merge(Operation::UNION, left, right);
         face = face.offset(faces);
     }
 }
@@ -110,7 +116,7 @@ pub struct GroupRow<R, const N: usize> {
 
 impl<R: Row, const N: usize> Row for GroupRow<R, N> {
     type Scalar = R::Scalar;
-    const FACES: u16 = N as u16 * R::FACES;
+    const FACES: u16 = faces_of_group(N, R::FACES);
 
     fn extent(&self) -> Extent {
         self.extent

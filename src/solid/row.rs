@@ -85,7 +85,7 @@ impl<R: ConvexRow> Row for Leaf<R> {
     #[inline]
     fn spans(&self, column: Column<R::Scalar>, first: Face, stack: &mut SpanStack<'_, R::Scalar>) {
         if let Some(span) = self.0.span(column.x) {
-            stack.push(span.with_faces_from(first));
+            stack.put(span.with_faces_from(first));
         }
     }
 }

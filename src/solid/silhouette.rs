@@ -9,37 +9,45 @@ use crate::scalar::Scalar;
 pub(super) struct Quadratic<S> {
     coefficients: [S; 3],
     sizes: [S; 3],
+    /// Lengths are multiplied by this power of two, so that squares neither overflow nor vanish.
+    scale: S,
 }
 
 impl<S: Scalar> Quadratic<S> {
-    pub(super) const ZERO: Self = Self { coefficients: [S::ZERO; 3], sizes: [S::ZERO; 3] };
+    /// Zero, for lengths of about the size of `radius`.
+    pub(super) fn zero(radius: S) -> Self {
+        let scale = radius.normalizing_power();
+        Self { coefficients: [S::ZERO; 3], sizes: [S::ZERO; 3], scale }
+    }
 
-    /// Adds `weight · (at_zero + step·X)²`.
+    /// Adds `sign · (at_zero + step·X)²`, of lengths.
     #[must_use]
-    pub(super) fn plus_square(self, weight: S, at_zero: S, step: S) -> Self {
+    pub(super) fn plus_square(self, sign: S, at_zero: S, step: S) -> Self {
+        let (at_zero, step) = (at_zero * self.scale, step * self.scale);
         let cross = at_zero * step;
         let terms = [at_zero * at_zero, cross + cross, step * step];
         let mut sum = self;
         for ((c, size), term) in sum.coefficients.iter_mut().zip(&mut sum.sizes).zip(terms) {
-            *c = *c + weight * term;
-            *size = *size + (weight * term).abs();
+            *c = *c + sign * term;
+            *size = *size + term.abs();
         }
         sum
     }
 
-    /// Adds `weight · |at_zero + step·X|²`.
+    /// Adds `sign · |at_zero + step·X|²`, of lengths.
     #[must_use]
-    pub(super) fn plus_length(self, weight: S, at_zero: Vec3<S>, step: Vec3<S>) -> Self {
-        self.plus_square(weight, at_zero.x, step.x)
-            .plus_square(weight, at_zero.y, step.y)
-            .plus_square(weight, at_zero.z, step.z)
+    pub(super) fn plus_length(self, sign: S, at_zero: Vec3<S>, step: Vec3<S>) -> Self {
+        self.plus_square(sign, at_zero.x, step.x)
+            .plus_square(sign, at_zero.y, step.y)
+            .plus_square(sign, at_zero.z, step.z)
     }
 
     /// All columns of a row of `columns` in which the quadratic may be ≥ 0.
     ///
     /// The rounding errors of coefficients and discriminant are at most some 16 units of the terms
     /// that they were summed from; 64 are allowed for, and a column on either side for the
-    /// roots' own rounding. Where the quadratic isn't clearly concave, all columns are returned.
+    /// roots' own rounding. Where the quadratic isn't clearly concave, or the errors' bound itself
+    /// vanishes, all columns are returned.
     pub(super) fn extent(&self, columns: u32) -> Extent {
         let all = Extent { start: 0, end: columns };
         let unit = S::EPSILON * S::from_halves(2 * 64);
@@ -50,7 +58,7 @@ impl<S: Scalar> Quadratic<S> {
 
         let most = c0 + c1.abs() * reach + c2.max(S::ZERO) * reach * reach;
         let error = (s0 + s1 * reach + s2 * reach * reach) * unit;
-        if most + error < S::ZERO {
+        if most + error < S::ZERO && error > S::ZERO {
             return Extent::EMPTY;
         }
         if c2 + s2 * unit >= S::ZERO {
@@ -59,6 +67,9 @@ impl<S: Scalar> Quadratic<S> {
         let half_c1 = c1 * half;
         let quarter = half_c1 * half_c1 - c0 * c2;
         let quarter_error = (s1 * s1 + s0 * s2) * unit;
+        if (quarter_error * S::EPSILON).positive().is_none() {
+            return all;
+        }
         if quarter + quarter_error < S::ZERO {
             return Extent::EMPTY;
         }
@@ -70,7 +81,7 @@ impl<S: Scalar> Quadratic<S> {
             return all;
         }
         let start = left.floor_to_i32().saturating_sub(1).max(0) as u32;
-        let end = right.floor_to_i32().saturating_add(3).max(0) as u32;
+        let end = right.floor_to_i32().saturating_add(2).max(0) as u32;
         all.overlap(Extent { start, end })
     }
 }
@@ -108,7 +119,7 @@ impl<S: Scalar> ParallelBall<S> {
     }
 
     pub(super) fn extent(&self, y: S) -> Extent {
-        Quadratic::ZERO
+        Quadratic::zero(self.radius)
             .plus_square(S::ONE, self.radius, S::ZERO)
             .plus_square(-S::ONE, self.row_distance(y), S::ZERO)
             .plus_square(-S::ONE, self.along, self.pitch[0])
@@ -157,8 +168,9 @@ impl<S: Scalar> PencilBall<S> {
 
     pub(super) fn extent(&self, y: S) -> Extent {
         let [moment, direction] = self.row(y);
-        Quadratic::ZERO
-            .plus_length(self.radius * self.radius, direction[0], direction[1])
+        let [direction, step] = direction.map(|part| part * self.radius);
+        Quadratic::zero(self.radius)
+            .plus_length(S::ONE, direction, step)
             .plus_length(-S::ONE, moment[0], moment[1])
             .extent(self.columns)
     }

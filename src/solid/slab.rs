@@ -68,6 +68,8 @@ macro_rules! constructors {
 
             /// The points with `low ≤ n·p ≤ high`, where n is `normal` brought to length 1.
             ///
+            /// That is computed in `f64`: on a core without it, better in a constant.
+            ///
             /// # Errors
             /// [`SlabError::NotFinite`], [`SlabError::ZeroNormal`], [`SlabError::Empty`].
             pub const fn new(
@@ -76,7 +78,7 @@ macro_rules! constructors {
                 high: $Float,
             ) -> Result<Self, SlabError> {
                 match unit([normal.x as f64, normal.y as f64, normal.z as f64]) {
-                    Ok(([x, y, z], _)) => {
+                    Ok([x, y, z]) => {
                         let normal = Vec3::new(x as $Float, y as $Float, z as $Float);
                         Self::between(Direction::<$Float>::new(normal), low, high)
                     }
@@ -104,8 +106,8 @@ macro_rules! constructors {
 
 constructors!(f32, f64);
 
-/// The unit vector in a direction, and the direction's length.
-pub(super) const fn unit(v: [f64; 3]) -> Result<([f64; 3], f64), SlabError> {
+/// The unit vector in a direction.
+pub(super) const fn unit(v: [f64; 3]) -> Result<[f64; 3], SlabError> {
     let [x, y, z] = v;
     if !(x.is_finite() && y.is_finite() && z.is_finite()) {
         return Err(SlabError::NotFinite);
@@ -117,7 +119,7 @@ pub(super) const fn unit(v: [f64; 3]) -> Result<([f64; 3], f64), SlabError> {
     // Scaled by the largest coordinate, no square can overflow or vanish.
     let (x, y, z) = (x / largest, y / largest, z / largest);
     let length = const_sqrt(x * x + y * y + z * z);
-    Ok(([x / length, y / length, z / length], length * largest))
+    Ok([x / length, y / length, z / length])
 }
 
 impl<S: Scalar> Slab<S> {
@@ -172,7 +174,7 @@ impl<S: Scalar> Shape for Slab<S> {
 impl<S: Scalar> Solid for Slab<S> {
     fn spans(&self, line: &Line<S>, first: Face, stack: &mut SpanStack<'_, S>) {
         if let Some(span) = self.line_span(line) {
-            stack.push(span.with_faces_from(first));
+            stack.put(span.with_faces_from(first));
         }
     }
 
@@ -209,7 +211,7 @@ impl<S: Scalar> ParallelView<S> {
     pub(super) fn slab_row(&self, y: S) -> ParallelRow<S> {
         let [middle, right, down] = self.height;
         let height = middle + down * y;
-        if self.speed == S::ZERO {
+        if !self.speed.is_normal() {
             return ParallelRow::EdgeOn { slab: self.slab, height: [height, right] };
         }
         let inverse = S::ONE / self.speed;

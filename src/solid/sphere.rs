@@ -24,13 +24,16 @@ pub struct Sphere<S> {
 pub enum SphereError {
     /// A coordinate or the radius is infinite or NaN.
     NotFinite,
-    /// The radius is zero or negative.
+    /// The radius is zero, negative, or not between [`Scalar::FINEST`] and [`Scalar::REACH`].
     Radius,
+    /// A coordinate is larger than [`Scalar::REACH`].
+    TooFar,
 }
 
 crate::error_text!(SphereError {
     NotFinite => "a coordinate or the radius of the sphere is infinite or not a number",
-    Radius => "the radius of the sphere is not positive",
+    Radius => "the radius of the sphere is not positive, or out of its number type's range",
+    TooFar => "the sphere is too far away for its number type",
 });
 
 macro_rules! constructors {
@@ -39,16 +42,19 @@ macro_rules! constructors {
             /// A sphere around `center`.
             ///
             /// # Errors
-            /// [`SphereError::NotFinite`], [`SphereError::Radius`].
+            /// [`SphereError::NotFinite`], [`SphereError::Radius`], [`SphereError::TooFar`].
             pub const fn new(center: Vec3<$Float>, radius: $Float) -> Result<Self, SphereError> {
-                if !(center.x.is_finite() && center.y.is_finite() && center.z.is_finite()) {
+                if !center.has_finite_coordinates() {
                     return Err(SphereError::NotFinite);
                 }
                 if !radius.is_finite() {
                     return Err(SphereError::NotFinite);
                 }
-                if radius <= 0.0 {
+                if !(<$Float>::FINEST <= radius && radius <= <$Float>::REACH) {
                     return Err(SphereError::Radius);
+                }
+                if !center.is_within_reach() {
+                    return Err(SphereError::TooFar);
                 }
                 Ok(Self { center, radius })
             }
@@ -82,7 +88,7 @@ impl<S: Scalar> Solid for Sphere<S> {
         let moment = u.cross(line.direction).length_squared();
         let discriminant = self.radius * self.radius * line.direction.length_squared() - moment;
         if let Some(span) = around(middle, discriminant, inverse) {
-            stack.push(span.with_faces_from(first));
+            stack.put(span.with_faces_from(first));
         }
     }
 

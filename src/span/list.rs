@@ -1,6 +1,7 @@
 //! The memory of the span merge: a fixed array, and the stack that solids push to.
 
-use super::Span;
+use super::{Operation, Span, merge};
+use crate::scalar::Scalar;
 use heapless::{Vec, VecView};
 
 /// Room for the spans of a line with a solid, and for merging them.
@@ -89,13 +90,20 @@ pub struct SpanStack<'a, S> {
 }
 
 impl<S> SpanStack<'_, S> {
-    /// Puts a span on top. On a full stack nothing happens: the capacity is checked against the
-    /// solid's type when the program is compiled, so a solid that keeps to its type never gets
-    /// there.
+    /// Puts a span on top.
+    ///
+    /// # Errors
+    /// [`StackFull`]; the spans are as they were.
     #[inline]
-    pub fn push(&mut self, span: Span<S>) {
-        let pushed = self.spans.push(span);
-        debug_assert!(pushed.is_ok(), "a solid has more spans than its type says");
+    pub fn push(&mut self, span: Span<S>) -> Result<(), StackFull> {
+        self.spans.push(span).map_err(|_| StackFull)
+    }
+
+    /// [`push`](Self::push) for solids: their need of room is a constant of their types, and a
+    /// list with less does not compile. So nothing is ever left out here.
+    #[inline]
+    pub(crate) fn put(&mut self, span: Span<S>) {
+        let _ = self.push(span);
     }
 
     /// How many spans there are, those of other solids included.
@@ -111,3 +119,25 @@ impl<S> SpanStack<'_, S> {
         self.spans.is_empty()
     }
 }
+
+impl<S: Scalar> SpanStack<'_, S> {
+    /// [`merge`] for solids, which always have the room.
+    pub(crate) fn merge(&mut self, operation: Operation, left: usize, right: usize) {
+        let _ = merge(operation, self, left, right);
+    }
+}
+
+/// A list of spans has no room left.
+///
+/// It can't happen to the crate's own solids, whose need of room is a constant of their types.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct StackFull;
+
+impl core::fmt::Display for StackFull {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str("the list of spans has no room left")
+    }
+}
+
+impl core::error::Error for StackFull {}

@@ -8,7 +8,7 @@
 //! All crossings at one parameter are taken together before the state is looked at. That makes
 //! the result regularised and independent of the order of the operands, without any tolerance.
 
-use super::{Crossing, Span, SpanStack};
+use super::{Crossing, Span, SpanStack, StackFull};
 use crate::scalar::Scalar;
 
 /// A boolean operation, as the set of states in which the line is inside the result.
@@ -41,9 +41,12 @@ impl Operation {
 /// Replaces the two lists on top of the stack, the left one from `left` on and the right one from
 /// `right` on, by their merge.
 ///
-/// Needs room above the stack for the result: at most as many spans as both lists have together.
 /// Each list is sorted and regularised, and so is the result. Where both lists cross at the same
 /// parameter, the face is that of the left.
+///
+/// # Errors
+/// [`StackFull`] if there is no room above both lists for the result, which has at most as many
+/// spans as they have together. The lists are as they were.
 ///
 /// ```
 /// use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
@@ -54,22 +57,23 @@ impl Operation {
 /// };
 /// let mut list = SpanList::<f32, 5>::new();
 /// let mut stack = list.stack();
-/// stack.push(span(0.0, 4.0)); // the left list
-/// stack.push(span(1.0, 2.0)); // the right list
-/// merge(Operation::DIFFERENCE, &mut stack, 0, 1);
+/// stack.push(span(0.0, 4.0))?; // the left list
+/// stack.push(span(1.0, 2.0))?; // the right list
+/// merge(Operation::DIFFERENCE, &mut stack, 0, 1)?;
 /// assert_eq!(*list, [span(0.0, 1.0), span(2.0, 4.0)]);
+/// # Ok::<(), scancsg::span::StackFull>(())
 /// ```
 pub fn merge<S: Scalar>(
     operation: Operation,
     stack: &mut SpanStack<'_, S>,
     left: usize,
     right: usize,
-) {
+) -> Result<(), StackFull> {
     let end = stack.len();
     let unchanged = (end == right && operation.holds(true, false))
         || (left == right && operation.holds(false, true));
     if unchanged {
-        return;
+        return Ok(());
     }
     let mut left_crossings = Crossings { next: left, end: right, inside: false };
     let mut right_crossings = Crossings { next: right, end, inside: false };
@@ -89,20 +93,25 @@ pub fn merge<S: Scalar>(
                 crossing
             }
             (Some(l), Some(r)) => {
-                if l.t <= r.t {
+                // Of two that can't be ordered, both pass: a NaN must not stop the walk.
+                let (left_first, right_first) = (l.t < r.t, r.t < l.t);
+                if !right_first {
                     left_crossings.pass();
                 }
-                if r.t <= l.t {
+                if !left_first {
                     right_crossings.pass();
                 }
-                if r.t < l.t { r } else { l }
+                if right_first { r } else { l }
             }
         };
         let inside = operation.holds(left_crossings.inside, right_crossings.inside);
         match (entered, inside) {
             (None, true) => entered = Some(crossing),
             (Some(enter), false) => {
-                stack.push(Span { enter, exit: crossing });
+                if let Err(full) = stack.push(Span { enter, exit: crossing }) {
+                    stack.spans.truncate(end);
+                    return Err(full);
+                }
                 entered = None;
             }
             _ => {}
@@ -120,6 +129,7 @@ pub fn merge<S: Scalar>(
         from += 1;
     }
     stack.spans.truncate(to);
+    Ok(())
 }
 
 /// A walk over the crossings of the spans from `next` to before `end`.

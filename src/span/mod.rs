@@ -8,7 +8,7 @@
 mod list;
 mod merge;
 
-pub use list::{SpanList, SpanStack};
+pub use list::{SpanList, SpanStack, StackFull};
 pub use merge::{Operation, merge};
 
 use crate::scalar::Scalar;
@@ -54,6 +54,12 @@ impl<S: Scalar> Span<S> {
     #[inline]
     pub fn new(enter: Crossing<S>, exit: Crossing<S>) -> Option<Self> {
         (enter.t < exit.t).then_some(Self { enter, exit })
+    }
+
+    /// The span, if its crossings are in order.
+    #[inline]
+    pub(crate) fn checked(self) -> Option<Self> {
+        Self::new(self.enter, self.exit)
     }
 
     /// The whole line, which touches `face` nowhere.

@@ -3,8 +3,6 @@
 //! Checksum, COBS framing and run-length coding happen on the fly, straight into the caller's buffer:
 //! there is no second one.
 
-use core::fmt;
-
 use cobs::CobsEncoder;
 
 use super::crc::{Crc32, FrameHash, crc32_start};
@@ -57,24 +55,10 @@ pub enum EncodeError {
     Size,
 }
 
-impl EncodeError {
-    /// The error in words.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::BufferTooSmall => "packet does not fit into the buffer",
-            Self::Size => "frame or row has no pixels, or too many",
-        }
-    }
-}
-
-impl fmt::Display for EncodeError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.as_str())
-    }
-}
-
-impl core::error::Error for EncodeError {}
+crate::error_text!(EncodeError {
+    BufferTooSmall => "packet does not fit into the buffer",
+    Size => "frame or row has no pixels, or too many",
+});
 
 /// A packet on its way into a buffer.
 struct Encoder<'a> {

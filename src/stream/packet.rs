@@ -3,8 +3,6 @@
 //! `[kind u8][body][crc32 u32]`, little-endian throughout; the CRC covers kind and body. The layouts of
 //! the bodies are in the [table of this layer](super).
 
-use core::fmt;
-
 use super::crc::{FrameHash, crc32};
 use super::rle;
 use crate::render::PixelFormat;
@@ -151,25 +149,11 @@ pub enum UnpackError {
     TooShort,
 }
 
-impl UnpackError {
-    /// The error in words.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Truncated => "row payload ends inside a run",
-            Self::TooLong => "row payload is longer than the row",
-            Self::TooShort => "row payload is shorter than the row",
-        }
-    }
-}
-
-impl fmt::Display for UnpackError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.as_str())
-    }
-}
-
-impl core::error::Error for UnpackError {}
+crate::error_text!(UnpackError {
+    Truncated => "row payload ends inside a run",
+    TooLong => "row payload is longer than the row",
+    TooShort => "row payload is shorter than the row",
+});
 
 /// The part of a frame that a request asks for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -352,29 +336,15 @@ pub enum PacketError {
     Part,
 }
 
-impl PacketError {
-    /// The error in words.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Framing => "packet ends inside a COBS block",
-            Self::TooLong => "packet is longer than the decoder's buffer",
-            Self::Crc => "packet checksum is wrong",
-            Self::Kind => "packet kind is unknown",
-            Self::Length => "packet has a wrong length for its kind",
-            Self::Version => "frame header is of another protocol version",
-            Self::Format => "pixel format is unknown",
-            Self::Size => "frame has no pixels",
-            Self::Encoding => "row encoding is unknown",
-            Self::Part => "requested part is unknown",
-        }
-    }
-}
-
-impl fmt::Display for PacketError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.as_str())
-    }
-}
-
-impl core::error::Error for PacketError {}
+crate::error_text!(PacketError {
+    Framing => "packet ends inside a COBS block",
+    TooLong => "packet is longer than the decoder's buffer",
+    Crc => "packet checksum is wrong",
+    Kind => "packet kind is unknown",
+    Length => "packet has a wrong length for its kind",
+    Version => "frame header is of another protocol version",
+    Format => "pixel format is unknown",
+    Size => "frame has no pixels",
+    Encoding => "row encoding is unknown",
+    Part => "requested part is unknown",
+});

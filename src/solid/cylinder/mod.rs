@@ -29,17 +29,20 @@ pub struct Cylinder<S> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum CylinderError {
-    /// A coordinate or the radius is infinite or NaN, or the length is not representable.
+    /// A coordinate or the radius is infinite or NaN.
     NotFinite,
-    /// The radius is zero or negative.
+    /// The radius is zero, negative, or not between [`Scalar::FINEST`] and [`Scalar::REACH`].
     Radius,
+    /// A coordinate is larger than [`Scalar::REACH`].
+    TooFar,
     /// The lower end is not below the upper end, or the end points coincide.
     Empty,
 }
 
 crate::error_text!(CylinderError {
     NotFinite => "a coordinate or the radius of the cylinder is infinite or not a number",
-    Radius => "the radius of the cylinder is not positive",
+    Radius => "the radius of the cylinder is not positive, or out of its number type's range",
+    TooFar => "the cylinder is too far away for its number type",
     Empty => "the cylinder has no length: its ends coincide or are the wrong way round",
 });
 
@@ -52,7 +55,7 @@ macro_rules! constructors {
             /// `x_max`.
             ///
             /// # Errors
-            /// [`CylinderError::NotFinite`], [`CylinderError::Radius`], or
+            /// [`CylinderError::NotFinite`], [`CylinderError::Radius`], [`CylinderError::TooFar`], or
             /// [`CylinderError::Empty`] where `x_min ≥ x_max`.
             pub const fn along_x(
                 y: $Float,
@@ -100,24 +103,27 @@ macro_rules! constructors {
             /// A cylinder from the middle of one cap to the middle of the other.
             ///
             /// The axis is rounded to the number type once, so a cap may lie off its end point by
-            /// the rounding error of that point's coordinates.
+            /// the rounding error of that point's coordinates. The axis is computed in `f64`: on a
+            /// core without that, better in a constant.
             ///
             /// # Errors
-            /// [`CylinderError::NotFinite`], [`CylinderError::Radius`], or
+            /// [`CylinderError::NotFinite`], [`CylinderError::Radius`], [`CylinderError::TooFar`], or
             /// [`CylinderError::Empty`] where the points coincide.
             pub const fn between(
                 from: Vec3<$Float>,
                 to: Vec3<$Float>,
                 radius: $Float,
             ) -> Result<Self, CylinderError> {
+                if !(from.has_finite_coordinates() && to.has_finite_coordinates()) {
+                    return Err(CylinderError::NotFinite);
+                }
+                if !(from.is_within_reach() && to.is_within_reach()) {
+                    return Err(CylinderError::TooFar);
+                }
                 let start = [from.x as f64, from.y as f64, from.z as f64];
                 let end = [to.x as f64, to.y as f64, to.z as f64];
                 let way = [end[0] - start[0], end[1] - start[1], end[2] - start[2]];
-                let (axis, _) = match unit(way) {
-                    Ok(unit) => unit,
-                    Err(SlabError::ZeroNormal) => return Err(CylinderError::Empty),
-                    Err(_) => return Err(CylinderError::NotFinite),
-                };
+                let Ok(axis) = unit(way) else { return Err(CylinderError::Empty) };
                 let axis = Vec3::new(axis[0] as $Float, axis[1] as $Float, axis[2] as $Float);
                 // Offsets along the axis as it was rounded, which is what lines will be held
                 // against.
@@ -135,14 +141,17 @@ macro_rules! constructors {
                 low: $Float,
                 high: $Float,
             ) -> Result<Self, CylinderError> {
-                if !(base.x.is_finite() && base.y.is_finite() && base.z.is_finite()) {
+                if !base.has_finite_coordinates() {
                     return Err(CylinderError::NotFinite);
                 }
                 if !radius.is_finite() {
                     return Err(CylinderError::NotFinite);
                 }
-                if radius <= 0.0 {
+                if !(<$Float>::FINEST <= radius && radius <= <$Float>::REACH) {
                     return Err(CylinderError::Radius);
+                }
+                if !base.is_within_reach() {
+                    return Err(CylinderError::TooFar);
                 }
                 match Slab::<$Float>::between(axis, low, high) {
                     Ok(caps) => Ok(Self { tube: Tube { base, radius }, caps }),
@@ -176,7 +185,7 @@ impl<S: Scalar> Solid for Cylinder<S> {
         let Some(span) = within_wall else { return };
         let between_caps = self.caps.line_span(line);
         if let Some(span) = between_caps.and_then(|caps| caps.overlap(span)) {
-            stack.push(span.with_faces_from(first));
+            stack.put(span.with_faces_from(first));
         }
     }
 

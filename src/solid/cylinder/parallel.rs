@@ -20,13 +20,13 @@ impl<S: Scalar> Project<Parallel<S>> for Cylinder<S> {
         let u = rays.center - self.tube.base;
         let m = rays.forward.cross(axis);
         let moments = [u, rays.right, rays.down].map(|step| step.cross(axis));
-        let a = m.length_squared();
-        let wall = if a > S::ZERO {
-            let stretch = S::ONE / a.sqrt();
-            let inverse = S::ONE / a;
+        // An angle whose square vanishes moves no ray of a scene by a rounding error.
+        let across = m.length_squared().is_normal().then(|| m.normalized()).flatten();
+        let wall = if let Some(n) = across {
+            let stretch = S::ONE / m.dot(n);
             Wall::Across {
-                distance: [u, rays.right, rays.down].map(|step| step.dot_compensated(m) * stretch),
-                middle: moments.map(|moment| -moment.dot_compensated(m) * inverse),
+                distance: [u, rays.right, rays.down].map(|step| step.dot_compensated(n)),
+                middle: moments.map(|moment| -moment.dot_compensated(n) * stretch),
                 stretch,
             }
         } else {
@@ -72,7 +72,7 @@ impl<S: Scalar> View for ParallelView<S> {
 
     fn row(&self, y: S) -> Self::Row<'_> {
         let Self { radius, .. } = *self;
-        let round = Quadratic::ZERO.plus_square(S::ONE, radius, S::ZERO);
+        let round = Quadratic::zero(radius).plus_square(S::ONE, radius, S::ZERO);
         let (wall, silhouette) = match self.wall {
             Wall::Across { distance, middle, stretch } => {
                 let in_row = |[middle, right, down]: [S; 3]| [middle + down * y, right];

@@ -92,9 +92,10 @@ impl<S: Scalar> View for PencilView<S> {
         });
         let reach = [self.reach[0] + self.reach[2] * y, self.reach[1]];
         let radius_squared = self.radius * self.radius;
-        let silhouette = Quadratic::ZERO
-            .plus_square(radius_squared, axes[0].turn[0], axes[0].turn[1])
-            .plus_square(radius_squared, axes[1].turn[0], axes[1].turn[1])
+        let [one, other] = axes.map(|axis| axis.turn.map(|turn| turn * self.radius));
+        let silhouette = Quadratic::zero(self.radius)
+            .plus_square(S::ONE, one[0], one[1])
+            .plus_square(S::ONE, other[0], other[1])
             .plus_square(-S::ONE, reach[0], reach[1]);
         Leaf(PencilRow {
             axes,
@@ -138,7 +139,7 @@ impl<S: Scalar> ConvexRow for PencilRow<S> {
         let [(q0, m0), (q1, m1)] = [&self.axes[0], &self.axes[1]]
             .map(|axis| (axis.moment[0] + axis.moment[1] * x, axis.turn[0] + axis.turn[1] * x));
         let a = m0 * m0 + m1 * m1;
-        let within_wall = if a > S::ZERO {
+        let within_wall = if a.is_normal() {
             let k = self.reach[0] + self.reach[1] * x;
             let discriminant = (self.radius_squared * a - k * k).positive()?;
             let inverse = S::ONE / a;
