@@ -19,7 +19,7 @@ pub const CAPACITY: usize = packet_capacity(MAX_WIDTH, PixelFormat::Rgb565);
 /// After this silence in the middle of a frame, what is missing is asked for.
 const ASK_AFTER: Duration = Duration::from_millis(400);
 /// So many times without a new row; then the frame is given up.
-const ASK_TIMES: u32 = 8;
+const ASK_TIMES: u32 = 30;
 
 /// A frame, or what arrived of it.
 pub struct Frame {
@@ -140,30 +140,33 @@ impl Session {
             return Some(header);
         }
         let mut silence = Duration::ZERO;
+        // A frame whose header was lost: it is asked for when the line has gone quiet.
+        let mut unknown = None;
         loop {
             let mut bytes = self.buffer.as_slice();
             while let Some(packet) = self.decoder.feed(&mut bytes) {
-                let of_unknown = match packet {
+                match packet {
                     Ok(Packet::Header(header)) => {
                         self.buffer = bytes.to_vec();
                         return Some(header);
                     }
-                    Ok(Packet::End { frame, .. }) => frame,
-                    // Rows of a frame whose header was lost: its end will come, and then the
-                    // line is quiet enough to ask.
-                    Ok(_) => continue,
-                    Err(_) => {
-                        self.traffic.bad_packets += 1;
-                        continue;
+                    Ok(Packet::Row { frame, .. } | Packet::End { frame, .. }) => {
+                        unknown = Some(frame);
                     }
-                };
-                let request = Request { frame: of_unknown, part: Part::Header };
-                ask(&mut *self.port, &mut self.traffic, request);
+                    Ok(_) => {}
+                    Err(_) => self.traffic.bad_packets += 1,
+                }
             }
             match self.hear() {
                 Heard::Bytes(_) => silence = Duration::ZERO,
                 Heard::Silence => silence += READ_TIMEOUT,
                 Heard::Closed => return None,
+            }
+            if silence >= ASK_AFTER {
+                if let Some(frame) = unknown.take() {
+                    let request = Request { frame, part: Part::Header };
+                    ask(&mut *self.port, &mut self.traffic, request);
+                }
             }
             if silence >= patience {
                 return None;

@@ -124,22 +124,12 @@ fn loop_back(args: &Args) -> Result<(), String> {
         let mut session = Session::new(near);
         let display = Display::new();
         let mut frames: Vec<Frame> = Vec::new();
-        let mut problem = None;
-        while frames.len() < usize::from(args.frames) {
+        let count = usize::from(args.frames);
+        while frames.len() < count {
             display.begin(frames.len() as u32, Some(u32::from(args.frames)));
             match session.frame(PATIENCE, |receiver, traffic| display.show(receiver, traffic))? {
-                Some(frame) => {
-                    problem = problem.or(frame.problem(frames.len()));
-                    frames.push(frame);
-                }
-                None => {
-                    problem = problem.or(Some(format!(
-                        "the line ended after {} of {} frames",
-                        frames.len(),
-                        args.frames
-                    )));
-                    break;
-                }
+                Some(frame) => frames.push(frame),
+                None => break,
             }
             if frames.last().is_some_and(|frame| frame.ending == Ending::Closed) {
                 break;
@@ -149,18 +139,29 @@ fn loop_back(args: &Args) -> Result<(), String> {
         let traffic = session.traffic();
         // The sender may still be waiting for an answer.
         drop(session);
-        write_png(&args.out, &frames)?;
 
-        let raw = frames.iter().map(|frame| frame.pixels.len() as u64).sum::<u64>();
-        println!(
-            "{}: {} frame(s) of {}x{}\n{} bytes on the line for {raw} bytes of pixels, {:.2} s",
-            args.out.display(),
-            frames.len(),
-            args.size.width(),
-            args.size.height(),
-            traffic.bytes,
-            start.elapsed().as_secs_f32()
-        );
+        let mut problems: Vec<String> =
+            frames.iter().enumerate().filter_map(|(index, frame)| frame.problem(index)).collect();
+        match frames.len() {
+            0 => problems.push("no frame arrived, and nothing was written".to_string()),
+            arrived if arrived < count => {
+                problems.push(format!("only {arrived} of {count} frames arrived"));
+            }
+            _ => {}
+        }
+        if !frames.is_empty() {
+            write_png(&args.out, &frames)?;
+            let raw = frames.iter().map(|frame| frame.pixels.len() as u64).sum::<u64>();
+            println!(
+                "{}: {} frame(s) of {}x{}\n{} bytes on the line for {raw} bytes of pixels, {:.2} s",
+                args.out.display(),
+                frames.len(),
+                args.size.width(),
+                args.size.height(),
+                traffic.bytes,
+                start.elapsed().as_secs_f32()
+            );
+        }
         if traffic.bad_packets > 0 || traffic.requests > 0 {
             println!(
                 "{} damaged packet(s), {} request(s) to send something again",
@@ -168,11 +169,13 @@ fn loop_back(args: &Args) -> Result<(), String> {
             );
         }
         let sent = sender.join().map_err(|_| "the sending thread panicked")?;
-        match (problem, sent) {
-            (None, _) => Ok(()),
-            (Some(problem), Ok(_)) => Err(problem),
-            (Some(problem), Err(cause)) => Err(format!("{problem} ({cause})")),
+        if problems.is_empty() {
+            return Ok(());
         }
+        if let Err(cause) = sent {
+            problems.push(cause);
+        }
+        Err(problems.join("\n        "))
     })
 }
 

@@ -1,16 +1,17 @@
 //! The crate's main job from end to end: a part is rendered one scanline at a time, each scanline
 //! goes through a serial line as a packet, and the other end puts the picture together.
 //!
-//! `device.rs` is the part that firmware runs too; everything else here is the host around it.
+//! `device.rs` renders, sends and repairs, on a microcontroller as on a host. For bare metal,
+//! `firmware.rs` is around it; on a host, `loopback.rs` gives it a pseudo-terminal to send into and
+//! plays the other end as well.
 
-#[cfg(target_os = "none")]
-compile_error!(
-    "the example `stream` runs on hosts only so far; `device.rs` is what firmware needs"
-);
+#![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(not(target_os = "none"))]
 mod args;
 mod device;
+#[cfg(target_os = "none")]
+mod firmware;
 #[cfg(not(target_os = "none"))]
 #[path = "../host/mod.rs"]
 mod host;
