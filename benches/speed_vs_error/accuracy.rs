@@ -1,0 +1,111 @@
+//! Answers against the oracle.
+//!
+//! - A *class* is whether the ray, t ≥ 0, meets the solid. It is judged where it is robust. A line
+//!   that a method says to leave the solid at t < 0 is a miss; an answer of NaN is a hit.
+//! - *Errors* are taken of the span's ends on the whole line, negative ones too, wherever method
+//!   and oracle have a span. A method that gives the first crossing only is asked about rays that
+//!   start robustly inside or outside: its answer is compared with the exit or with the entry.
+
+use crate::methods::{Answer, Gives, Method};
+use crate::oracle::Truth;
+use crate::rays::Query;
+use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
+
+/// What was found out about a method on some rays.
+#[derive(Debug, Clone, Default)]
+pub struct Accuracy {
+    /// Of t_in and t_out, in the method's unit.
+    pub errors: [Vec<f64>; 2],
+    /// How far the point that is seen lies off its face, in radii.
+    pub points: Vec<f64>,
+    /// Rays with a robust class.
+    pub robust: usize,
+    pub false_hits: usize,
+    pub false_misses: usize,
+    pub nans: usize,
+    pub panics: usize,
+    /// Valid rays that the method doesn't take.
+    pub refused: usize,
+}
+
+/// The accuracy on a set, and the queries that the method can be timed with.
+pub fn measure(method: &Method, cases: &[(Query, Truth)]) -> (Accuracy, Vec<Query>) {
+    let mut accuracy = Accuracy::default();
+    let mut answered = Vec::new();
+    // Panics are counted; their messages would drown the report.
+    let hook = take_hook();
+    set_hook(Box::new(|_| {}));
+    for (query, truth) in cases {
+        match catch_unwind(AssertUnwindSafe(|| (method.answer)(query))) {
+            Err(_) => accuracy.panics += 1,
+            Ok(Answer::Refused) => accuracy.refused += usize::from(truth.valid),
+            Ok(answer) => {
+                answered.push(*query);
+                accuracy.judge(method, query, truth, answer);
+            }
+        }
+    }
+    set_hook(hook);
+    (accuracy, answered)
+}
+
+impl Accuracy {
+    fn judge(&mut self, method: &Method, query: &Query, truth: &Truth, answer: Answer) {
+        let span = if let Answer::Hit(span) = answer { Some(span) } else { None };
+        let is_nan = span.is_some_and(|[t_in, t_out]| t_in.is_nan() || t_out.is_nan());
+        self.nans += usize::from(is_nan);
+        let hits = span.is_some_and(|[_, t_out]| is_nan || t_out >= 0.0);
+        if let Some(truly_hits) = truth.robust_hit {
+            self.robust += 1;
+            self.false_hits += usize::from(hits && !truly_hits);
+            self.false_misses += usize::from(truly_hits && !hits);
+        }
+        if let (Some(got), Some(want), false) = (span, truth.span, is_nan) {
+            let compared = match (method.gives, truth.starts_inside) {
+                (Gives::Span, _) => [true, true],
+                (Gives::First, Some(inside)) if want[1] >= 0.0 => [!inside, inside],
+                (Gives::First, _) => [false, false],
+            };
+            for end in (0..2).filter(|&end| compared[end]) {
+                let unit = (method.inputs.unit_at)(want[end]);
+                self.errors[end].push((got[end] - want[end]).abs() / unit);
+            }
+        }
+        // A ray that truly misses has no place where its point should be.
+        if let (Some(point), Some(true)) = (method.point, truth.robust_hit) {
+            self.points.extend(point(query).map(|point| off_surface(query, point)));
+        }
+    }
+
+    pub fn merge(&mut self, other: &Self) {
+        for (all, more) in self.errors.iter_mut().zip(&other.errors) {
+            all.extend(more);
+        }
+        self.points.extend(&other.points);
+        for (all, more) in [
+            (&mut self.robust, other.robust),
+            (&mut self.false_hits, other.false_hits),
+            (&mut self.false_misses, other.false_misses),
+            (&mut self.nans, other.nans),
+            (&mut self.panics, other.panics),
+            (&mut self.refused, other.refused),
+        ] {
+            *all += more;
+        }
+    }
+}
+
+/// The distance of a point from the face that it is said to lie on, in radii.
+fn off_surface(query: &Query, (point, on_wall): ([f64; 3], bool)) -> f64 {
+    let [x, y, z] = point;
+    let distance = if on_wall { y.hypot(z) - query.radius } else { x.abs() - query.half_length };
+    distance.abs() / query.radius
+}
+
+/// Median, 99th percentile (by nearest rank) and maximum; `None` of nothing.
+pub fn percentiles(errors: &[f64]) -> Option<[f64; 3]> {
+    let mut sorted = errors.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let rank = |percent: usize| (sorted.len() * percent).div_ceil(100).checked_sub(1);
+    Some([sorted[rank(50)?], sorted[rank(99)?], sorted[rank(100)?]])
+}

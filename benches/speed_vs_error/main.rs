@@ -1,0 +1,76 @@
+//! Speed against error: methods of casting a ray at a cylinder, on rays that break some of them.
+//!
+//! `cargo bench --bench speed_vs_error -- --help`
+
+mod accuracy;
+mod formulas;
+mod methods;
+mod oracle;
+mod random;
+mod rays;
+mod reference;
+mod report;
+mod results;
+mod targets;
+mod timing;
+
+use clap::Parser;
+use results::Results;
+use std::error::Error;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Measures time and error of several methods of casting a ray at a cylinder, on 26 sets of rays.
+///
+/// Prints a table and writes docs/speed_vs_error.csv and .md.
+#[derive(Parser)]
+#[command(name = "speed_vs_error", bin_name = "cargo bench --bench speed_vs_error --")]
+struct Args {
+    /// Fewer rays, shorter timing; the files go to the target directory instead of docs/
+    #[arg(long)]
+    quick: bool,
+
+    /// Fail if the shipped f32 method misses a target of accuracy; times are never judged
+    #[arg(long)]
+    check: bool,
+
+    /// Passed by `cargo bench`, and not by `cargo test --all-targets`, which must be quick
+    #[arg(long, hide = true)]
+    bench: bool,
+}
+
+fn main() -> Result<ExitCode, Box<dyn Error>> {
+    let args = Args::parse();
+    let checked = reference::check_oracle()?;
+    println!("The oracle agrees with all {checked} reference rays.");
+
+    let quick = args.quick || !args.bench;
+    let (rays, rounds) = if quick { (2000, 9) } else { (20_000, 51) };
+    let results = Results::measure(methods::methods(), rays, rounds);
+    println!("{rays} rays a set; time as a multiple of the textbook f32 formula's.");
+    print!("{}", report::table(&results));
+
+    let folder = if quick {
+        PathBuf::from(env!("CARGO_TARGET_TMPDIR"))
+    } else {
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("docs")
+    };
+    fs::write(folder.join("speed_vs_error.csv"), report::csv(&results))?;
+    fs::write(folder.join("speed_vs_error.md"), report::markdown(&results))?;
+
+    let shortfalls = shortfalls(&results);
+    println!("\nTargets missed by {}: {}", methods::SHIPPED.join(" "), shortfalls.len());
+    shortfalls.iter().for_each(|shortfall| println!("  {shortfall}"));
+    let failed = args.check && !shortfalls.is_empty();
+    Ok(if failed { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+}
+
+fn shortfalls(results: &Results) -> Vec<String> {
+    let is_shipped = |row: &&results::Row| {
+        let method = &results.methods[row.method];
+        [method.name, method.number] == methods::SHIPPED
+    };
+    let rows = results.rows.iter().filter(is_shipped);
+    rows.flat_map(|row| targets::shortfalls(row.set, &row.accuracy)).collect()
+}

@@ -1,0 +1,281 @@
+//! The ray sets: those of `tests/reference/README.md`, in draws as large as wanted.
+//!
+//! All geometry is done in `f64` and rounded once to `f32`.
+
+use crate::random::Random;
+
+type V = [f64; 3];
+
+/// A ray o + t·d and the cylinder −h ≤ x ≤ h of radius r around the x axis.
+///
+/// The numbers are exact: those of a method's input type, which `f64` holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Query {
+    pub origin: V,
+    pub direction: V,
+    pub radius: f64,
+    pub half_length: f64,
+}
+
+impl Query {
+    /// ox oy oz dx dy dz r h.
+    pub fn numbers(&self) -> [f64; 8] {
+        let ([ox, oy, oz], [dx, dy, dz]) = (self.origin, self.direction);
+        [ox, oy, oz, dx, dy, dz, self.radius, self.half_length]
+    }
+
+    pub fn from_numbers([ox, oy, oz, dx, dy, dz, radius, half_length]: [f64; 8]) -> Self {
+        Self { origin: [ox, oy, oz], direction: [dx, dy, dz], radius, half_length }
+    }
+
+    pub fn is_valid(&self) -> bool {
+        self.numbers().iter().all(|x| x.is_finite()) && self.direction != [0.0; 3]
+    }
+}
+
+/// A kind of rays; the table is read in these groups.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Group {
+    Benign,
+    Far,
+    Graze,
+    NearParallel,
+    Tiny,
+    Huge,
+    Inside,
+    OnSurface,
+    Rim,
+    Unnormalised,
+    Exact,
+    Invalid,
+}
+
+impl Group {
+    pub const ALL: [(Self, &str); 12] = [
+        (Self::Benign, "benign"),
+        (Self::Far, "far"),
+        (Self::Graze, "graze"),
+        (Self::NearParallel, "nearpar"),
+        (Self::Tiny, "tiny"),
+        (Self::Huge, "huge"),
+        (Self::Inside, "inside"),
+        (Self::OnSurface, "onsurf"),
+        (Self::Rim, "capedge"),
+        (Self::Unnormalised, "unnorm"),
+        (Self::Exact, "exact"),
+        (Self::Invalid, "invalid"),
+    ];
+}
+
+/// A set's name, its group, and what draws a ray for a cylinder (r, h) that may be replaced.
+pub struct Set {
+    pub name: &'static str,
+    pub group: Group,
+    size: Size,
+    draw: fn(&mut Random, r: f64, h: f64) -> [V; 2],
+}
+
+/// Radius and half length of the set's cylinders, as ranges.
+#[derive(Clone, Copy)]
+enum Size {
+    Usual,
+    Tiny,
+    Huge,
+}
+
+macro_rules! sets {
+    ($($group:ident $size:ident $name:literal $draw:expr;)+) => {
+        &[$(Set { name: $name, group: Group::$group, size: Size::$size, draw: $draw }),+]
+    };
+}
+
+pub const SETS: &[Set] = sets! {
+    Benign Usual "benign" benign;
+    Far Usual "far_1e3" |random, r, h| aimed(random, r, h, 1e3 * r);
+    Far Usual "far_1e5" |random, r, h| aimed(random, r, h, 1e5 * r);
+    Far Usual "far_1e6" |random, r, h| aimed(random, r, h, 1e6 * r);
+    Graze Usual "graze_1e-3" |random, r, h| graze(random, r, h, 1e-3);
+    Graze Usual "graze_1e-4" |random, r, h| graze(random, r, h, 1e-4);
+    Graze Usual "graze_1e-5" |random, r, h| graze(random, r, h, 1e-5);
+    Graze Usual "graze_1e-6" |random, r, h| graze(random, r, h, 1e-6);
+    Graze Usual "graze_1e-7" |random, r, h| graze(random, r, h, 1e-7);
+    NearParallel Usual "nearpar_1e-2" |random, r, h| near_parallel(random, r, h, 1e-2);
+    NearParallel Usual "nearpar_1e-3" |random, r, h| near_parallel(random, r, h, 1e-3);
+    NearParallel Usual "nearpar_1e-4" |random, r, h| near_parallel(random, r, h, 1e-4);
+    NearParallel Usual "nearpar_1e-5" |random, r, h| near_parallel(random, r, h, 1e-5);
+    NearParallel Usual "nearpar_1e-6" |random, r, h| near_parallel(random, r, h, 1e-6);
+    Tiny Tiny "tiny" tiny;
+    Huge Huge "huge" huge;
+    Inside Usual "inside" inside;
+    OnSurface Usual "onsurf" on_surface;
+    Rim Usual "capedge" rim;
+    Unnormalised Usual "unnorm" |random, r, h| unnormalised(random, r, h, 0.0, 4.0);
+    Unnormalised Usual "unnorm_ext" |random, r, h| unnormalised(random, r, h, 10.0, 30.0);
+    Exact Usual "par_exact" parallel;
+    Exact Usual "perp_exact" perpendicular;
+    Invalid Usual "zero" zero;
+    Invalid Usual "nan" |random, r, h| spoilt(random, r, h, f64::NAN);
+    Invalid Usual "inf" |random, r, h| spoilt(random, r, h, f64::INFINITY);
+};
+
+/// Cylinders per set.
+const CYLINDERS: usize = 16;
+
+impl Set {
+    /// `count` rays, cylinder after cylinder.
+    pub fn queries(&self, count: usize) -> Vec<Query> {
+        let mut random = Random::named(self.name);
+        let mut queries = Vec::with_capacity(count);
+        for i in 0..CYLINDERS {
+            let (r, h) = match self.size {
+                Size::Usual => (random.between(0.3, 1.5), random.between(0.5, 2.5)),
+                Size::Tiny => (random.between(1e-3, 2e-3), random.between(0.5, 1.5)),
+                Size::Huge => (random.between(1e4, 2e4), random.between(0.5e4, 2.5e4)),
+            };
+            let [r, h] = [r, h].map(rounded);
+            while queries.len() < count * (i + 1) / CYLINDERS {
+                let [origin, direction] = (self.draw)(&mut random, r, h).map(|v| v.map(rounded));
+                queries.push(Query { origin, direction, radius: r, half_length: h });
+            }
+        }
+        queries
+    }
+}
+
+fn rounded(x: f64) -> f64 {
+    f64::from(x as f32)
+}
+
+fn along(a: V, s: f64, b: V) -> V {
+    std::array::from_fn(|i| a[i] + s * b[i])
+}
+
+fn unit(v: V) -> V {
+    let length = v[0].hypot(v[1]).hypot(v[2]);
+    v.map(|x| x / length)
+}
+
+/// A point of the cylinder, scaled by `scale`; uniform.
+fn point_in(random: &mut Random, r: f64, h: f64, scale: f64) -> V {
+    let distance = scale * r * random.between(0.0, 1.0).sqrt();
+    along([scale * h * random.between(-1.0, 1.0), 0.0, 0.0], distance, random.across())
+}
+
+/// From `distance` away, towards a point in the cylinder scaled by 1.2.
+fn aimed(random: &mut Random, r: f64, h: f64, distance: f64) -> [V; 2] {
+    let origin = random.direction().map(|x| distance * x);
+    let target = point_in(random, r, h, 1.2);
+    [origin, unit(along(target, -1.0, origin))]
+}
+
+fn benign(random: &mut Random, r: f64, h: f64) -> [V; 2] {
+    let distance = r * random.between(3.0, 10.0);
+    aimed(random, r, h, distance)
+}
+
+/// Passes the wall at `gap` (to half or twice as much) of the radius, inside or outside.
+fn graze(random: &mut Random, r: f64, h: f64, gap: f64) -> [V; 2] {
+    let normal = random.across();
+    let [_, y, z] = normal;
+    let distance = r * (1.0 + random.sign() * gap * random.between(0.5, 2.0));
+    let nearest = along([0.9 * h * random.between(-1.0, 1.0), 0.0, 0.0], distance, normal);
+    let tilt = random.between(-1.0, 1.0);
+    let direction = along([tilt, 0.0, 0.0], (1.0 - tilt * tilt).sqrt(), [0.0, -z, y]);
+    [along(nearest, -r * random.between(2.0, 10.0), direction), direction]
+}
+
+/// `angle` off the axis, from beyond a cap; half of the rays cross the wall between the caps.
+fn near_parallel(random: &mut Random, r: f64, h: f64, angle: f64) -> [V; 2] {
+    let target = if random.chance(0.5) {
+        along([h * random.between(-1.0, 1.0), 0.0, 0.0], r, random.across())
+    } else {
+        let [_, y, z] = point_in(random, r, h, 1.3);
+        [0.0, y, z]
+    };
+    let direction = along([random.sign() * angle.cos(), 0.0, 0.0], angle.sin(), random.across());
+    [along(target, -2.0 * h - random.between(1.0, 20.0) * r, direction), direction]
+}
+
+fn tiny(random: &mut Random, r: f64, h: f64) -> [V; 2] {
+    let distance = random.between(2.0, 12.0);
+    aimed(random, r, h, distance)
+}
+
+/// From within ten units of the wall, to a point inside.
+fn huge(random: &mut Random, r: f64, h: f64) -> [V; 2] {
+    let start = [0.9 * h * random.between(-1.0, 1.0), 0.0, 0.0];
+    let origin = along(start, r + random.between(-10.0, 10.0), random.across());
+    let target = point_in(random, r, h, 1.0);
+    [origin, unit(along(target, -1.0, origin))]
+}
+
+fn inside(random: &mut Random, r: f64, h: f64) -> [V; 2] {
+    [point_in(random, r, h, 0.999), random.direction()]
+}
+
+fn on_surface(random: &mut Random, r: f64, h: f64) -> [V; 2] {
+    let origin = if random.chance(0.5) {
+        along([h * random.between(-1.0, 1.0), 0.0, 0.0], r, random.across())
+    } else {
+        let [_, y, z] = point_in(random, r, h, 1.0);
+        [random.sign() * h, y, z]
+    };
+    [origin, random.direction()]
+}
+
+/// Meets a rim within 10⁻⁶.
+fn rim(random: &mut Random, r: f64, h: f64) -> [V; 2] {
+    let mut off_by = || 1.0 + 1e-6 * random.between(-1.0, 1.0);
+    let (x, distance) = (h * off_by(), r * off_by());
+    let target = along([random.sign() * x, 0.0, 0.0], distance, random.across());
+    let direction = random.direction();
+    [along(target, -r * random.between(3.0, 30.0), direction), direction]
+}
+
+/// As benign, but the direction is 10^±`low` to 10^±`high` long.
+fn unnormalised(random: &mut Random, r: f64, h: f64, low: f64, high: f64) -> [V; 2] {
+    let [origin, direction] = benign(random, r, h);
+    let length = 10f64.powf(random.sign() * random.between(low, high));
+    [origin, direction.map(|x| length * x)]
+}
+
+/// Inside, outside, within a thousandth of the wall, or on it as nearly as `f32` can be.
+fn parallel(random: &mut Random, r: f64, h: f64) -> [V; 2] {
+    let distance = match random.below(3) {
+        0 => r,
+        1 => r * (1.0 + 1e-3 * random.between(-1.0, 1.0)),
+        _ => 1.5 * r * random.between(0.0, 1.0).sqrt(),
+    };
+    let x = random.between(-10.0, 10.0) * h;
+    let length = if random.chance(0.5) { 1.0 } else { 10f64.powf(random.between(0.0, 2.0)) };
+    [along([x, 0.0, 0.0], distance, random.across()), [random.sign() * length, 0.0, 0.0]]
+}
+
+/// Between the caps, beside them, or in a cap's plane; a quarter along coordinate axes.
+fn perpendicular(random: &mut Random, r: f64, h: f64) -> [V; 2] {
+    let x = if random.chance(0.2) { random.sign() } else { random.between(-1.2, 1.2) } * h;
+    let origin = along([x, 0.0, 0.0], r * random.between(2.0, 5.0), random.across());
+    if random.chance(0.25) {
+        let [y, z] = [[1.0, 0.0], [0.0, 1.0]][random.below(2)].map(|c| random.sign() * c);
+        return [origin, [0.0, y, z]];
+    }
+    let [_, y, z] = point_in(random, r, h, 1.2);
+    [origin, unit([0.0, y - origin[1], z - origin[2]])]
+}
+
+fn zero(random: &mut Random, r: f64, h: f64) -> [V; 2] {
+    let origin = point_in(random, r, h, 4.0);
+    [origin, [0.0; 3].map(|x: f64| x * random.sign())]
+}
+
+/// As benign, with one or more coordinates replaced by `by`, of either sign.
+fn spoilt(random: &mut Random, r: f64, h: f64, by: f64) -> [V; 2] {
+    let mut ray = benign(random, r, h);
+    let certain = random.below(6);
+    for i in 0..6 {
+        if i == certain || random.chance(0.3) {
+            ray[i / 3][i % 3] = random.sign() * by;
+        }
+    }
+    ray
+}

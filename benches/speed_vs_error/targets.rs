@@ -1,0 +1,75 @@
+//! What the shipped `f32` method has to reach, set by set. Accuracy only: a time would fail or
+//! pass with the machine.
+
+use crate::accuracy::{Accuracy, percentiles};
+use crate::rays::{Group, Set};
+use Group::{
+    Benign, Exact, Far, Graze, Huge, Inside, Invalid, NearParallel, OnSurface, Tiny, Unnormalised,
+};
+
+/// An upper limit for a figure on every set of some groups.
+struct Target {
+    what: &'static str,
+    groups: &'static [Group],
+    figure: fn(&Accuracy) -> f64,
+    limit: f64,
+}
+
+/// Where no robust class may be wrong.
+const JUDGED: &[Group] =
+    &[Benign, Far, Graze, NearParallel, Tiny, Huge, Inside, OnSurface, Unnormalised, Exact];
+const SHARP: &[Group] = &[Benign, Far, Graze];
+const SHARP_ENOUGH: &[Group] = &[NearParallel, Tiny, Huge, Inside];
+
+const TARGETS: &[Target] = &[
+    Target { what: "wrong robust classes", groups: JUDGED, figure: wrong, limit: 0.0 },
+    Target { what: "valid rays not answered", groups: JUDGED, figure: unanswered, limit: 0.0 },
+    Target { what: "t_in, p99 ulps", groups: SHARP, figure: |of| p99(of, 0), limit: 2.0 },
+    Target { what: "t_out, p99 ulps", groups: SHARP, figure: |of| p99(of, 1), limit: 2.0 },
+    Target { what: "t_in, max ulps", groups: SHARP, figure: |of| max(of, 0), limit: 4.0 },
+    Target { what: "t_out, max ulps", groups: SHARP, figure: |of| max(of, 1), limit: 4.0 },
+    Target { what: "t_in, p99 ulps", groups: SHARP_ENOUGH, figure: |of| p99(of, 0), limit: 2.5 },
+    Target { what: "t_out, p99 ulps", groups: SHARP_ENOUGH, figure: |of| p99(of, 1), limit: 2.5 },
+    Target { what: "hit point off the surface, in r", groups: JUDGED, figure: point, limit: 2e-7 },
+    Target { what: "hits of invalid rays, panics", groups: &[Invalid], figure: bad, limit: 0.0 },
+];
+
+fn wrong(accuracy: &Accuracy) -> f64 {
+    (accuracy.false_hits + accuracy.false_misses) as f64
+}
+
+fn unanswered(accuracy: &Accuracy) -> f64 {
+    (accuracy.nans + accuracy.panics + accuracy.refused) as f64
+}
+
+fn bad(accuracy: &Accuracy) -> f64 {
+    wrong(accuracy) + unanswered(accuracy)
+}
+
+fn p99(accuracy: &Accuracy, end: usize) -> f64 {
+    // Nothing to compare is no success.
+    percentiles(&accuracy.errors[end]).map_or(f64::INFINITY, |[_, p99, _]| p99)
+}
+
+fn max(accuracy: &Accuracy, end: usize) -> f64 {
+    percentiles(&accuracy.errors[end]).map_or(f64::INFINITY, |[_, _, max]| max)
+}
+
+fn point(accuracy: &Accuracy) -> f64 {
+    percentiles(&accuracy.points).map_or(0.0, |[_, _, max]| max)
+}
+
+/// The targets that a set's accuracy falls short of, in words.
+pub fn shortfalls(set: &Set, accuracy: &Accuracy) -> Vec<String> {
+    TARGETS
+        .iter()
+        .filter(|target| target.groups.contains(&set.group))
+        .filter_map(|target| {
+            let figure = (target.figure)(accuracy);
+            let reached = figure <= target.limit;
+            let text =
+                || format!("{:12} {}: {figure:.3e} > {}", set.name, target.what, target.limit);
+            (!reached).then(text)
+        })
+        .collect()
+}
