@@ -6,6 +6,7 @@ mod accuracy;
 mod formulas;
 mod methods;
 mod oracle;
+mod plot;
 mod random;
 mod rays;
 mod reference;
@@ -23,7 +24,7 @@ use std::process::ExitCode;
 
 /// Measures time and error of several methods of casting a ray at a cylinder, on 26 sets of rays.
 ///
-/// Prints a table and writes docs/speed_vs_error.csv and .md.
+/// Prints a table and writes docs/speed_vs_error.csv, .md and .svg.
 #[derive(Parser)]
 #[command(name = "speed_vs_error", bin_name = "cargo bench --bench speed_vs_error --")]
 struct Args {
@@ -58,6 +59,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     };
     fs::write(folder.join("speed_vs_error.csv"), report::csv(&results))?;
     fs::write(folder.join("speed_vs_error.md"), report::markdown(&results))?;
+    plot::write(&results, &folder.join("speed_vs_error.svg"))?;
 
     let shortfalls = shortfalls(&results);
     println!("\nTargets missed by {}: {}", methods::SHIPPED.join(" "), shortfalls.len());
