@@ -154,7 +154,7 @@ fn invalid_rays_are_errors() {
 ///
 /// Backward: what is computed with rounding errors u is exact for a ray moved by some u·P, P the
 /// distance of the origin that the solid is asked with: the ray's own, or, where that is more
-/// than 64 times farther away than the line itself, the point of the line nearest to (0, 0, 0).
+/// than 256 times farther away than the line itself, the point of the line nearest to (0, 0, 0).
 /// Forward, with m the speed at right angles to the axis and c half the chord's length there
 /// (c² = r² − κ², so δc = (κ δκ + r δr)/c): a wall crossing moves by u·(P + r(P + r)/c)/m and
 /// a cap crossing by u·(P + h)/|dx|; the parameter itself is rounded, by u·|t|.
@@ -166,7 +166,7 @@ fn bound(input: &[f32; 8], t: f64, on_wall: bool) -> f64 {
     let moved = [ox + nearest * ux, oy + nearest * uy, oz + nearest * uz];
     let max_abs = |p: [f64; 3]| p[0].abs().max(p[1].abs()).max(p[2].abs());
     let [far, near] = [[ox, oy, oz], moved].map(max_abs);
-    let distance = 2.0 * if far > 64.0 * near { near } else { far };
+    let distance = 2.0 * if far > 256.0 * near { near } else { far };
     if on_wall {
         let m = uy.hypot(uz);
         let kappa = (oy * uz - oz * uy) / m;

@@ -6,7 +6,7 @@ mod pose;
 mod ray;
 mod vec3;
 
-pub(crate) use direction::Direction;
+pub(crate) use direction::{Axis, Direction};
 pub use pixels::{Column, Extent, Parallel, Pencil, Rays};
 pub use pose::Pose;
 pub use ray::{Line, Ray, RayError};

@@ -107,16 +107,18 @@ impl<S: Scalar> Ray<S> {
 /// Returns the new origin and the parameter at which it lies. The moved point's only error is
 /// the rounding of its coordinates, so moving pays when the old coordinates are much larger.
 fn rebase<S: Scalar>(origin: Vec3<S>, direction: Vec3<S>) -> (Vec3<S>, S) {
+    // 256: from nearer by, the crossings' own rounding errors outweigh those of the coordinates,
+    // and what lies near the ray's start would lose digits to the shift.
+    let is_far = |near: Vec3<S>| origin.max_abs() > near.max_abs() * S::from_halves(2 * 256);
+    let roughly = -(origin.dot(direction) / direction.length_squared());
+    if !is_far(origin + direction * roughly) {
+        return (origin, S::ZERO);
+    }
     let offset = -(origin.dot_compensated(direction) / direction.length_squared());
     let moved = Vec3::new(
         S::add_product(origin.x, offset, direction.x),
         S::add_product(origin.y, offset, direction.y),
         S::add_product(origin.z, offset, direction.z),
     );
-    let nearer_by = S::from_halves(2 * 64);
-    if origin.max_abs() > moved.max_abs() * nearer_by && moved.is_finite() {
-        (moved, offset)
-    } else {
-        (origin, S::ZERO)
-    }
+    if is_far(moved) && moved.is_finite() { (moved, offset) } else { (origin, S::ZERO) }
 }

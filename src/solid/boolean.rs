@@ -133,6 +133,13 @@ impl<O: Rule, L: Solid, R: Solid<Scalar = L::Scalar>> Solid for Boolean<O, L, R>
         );
     }
 
+    fn onto(&self, face: Face, near: Vec3<Self::Scalar>) -> Vec3<Self::Scalar> {
+        match operand::<L>(face) {
+            Ok(face) => self.left.onto(face, near),
+            Err(face) => self.right.onto(face, near),
+        }
+    }
+
     fn normal(&self, face: Face, at: Vec3<Self::Scalar>) -> Vec3<Self::Scalar> {
         match operand::<L>(face) {
             Ok(face) => self.left.normal(face, at),

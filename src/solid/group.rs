@@ -69,6 +69,10 @@ impl<T: Solid, const N: usize> Solid for [T; N] {
         });
     }
 
+    fn onto(&self, face: Face, near: Vec3<Self::Scalar>) -> Vec3<Self::Scalar> {
+        element(self, face).map_or(near, |(solid, face)| solid.onto(face, near))
+    }
+
     fn normal(&self, face: Face, at: Vec3<Self::Scalar>) -> Vec3<Self::Scalar> {
         element(self, face).map_or(Vec3::ZERO, |(solid, face)| solid.normal(face, at))
     }

@@ -76,6 +76,14 @@ pub trait Solid: Shape {
         stack: &mut SpanStack<'_, Self::Scalar>,
     );
 
+    /// The point of a face nearest to a point that lies beside it by a rounding error.
+    ///
+    /// [`hit`](Self::hit) reports such points, so that a ray that starts there starts on the surface.
+    fn onto(&self, face: Face, near: Vec3<Self::Scalar>) -> Vec3<Self::Scalar> {
+        let _ = face;
+        near
+    }
+
     /// The normal of length 1 that points out of the solid, at a point on one of its faces.
     ///
     /// On curved faces its relative error is that of the point over the radius: a point with a
@@ -115,7 +123,7 @@ pub trait Solid: Shape {
     ) -> Option<Hit<Self::Scalar>> {
         self.line_spans(ray.line(), list);
         let seen = first_seen(list.as_slice(), ray.start())?;
-        let point = ray.line().at(seen.t);
+        let point = self.onto(seen.face, ray.line().at(seen.t));
         let outward = self.normal(seen.face, point);
         Some(Hit {
             t: ray.parameter(seen.t),
@@ -147,7 +155,7 @@ pub struct Hit<S> {
     pub t: S,
     /// The face that is seen.
     pub face: Face,
-    /// Where.
+    /// Where, moved onto the face: its distance from there is that of its coordinates' rounding.
     pub point: Vec3<S>,
     /// The normal of length 1 on the side that is seen.
     pub normal: Vec3<S>,

@@ -75,6 +75,10 @@ impl<T: Solid> Solid for Painted<T> {
         self.solid.spans(line, first, stack);
     }
 
+    fn onto(&self, face: Face, near: Vec3<Self::Scalar>) -> Vec3<Self::Scalar> {
+        self.solid.onto(face, near)
+    }
+
     fn normal(&self, face: Face, at: Vec3<Self::Scalar>) -> Vec3<Self::Scalar> {
         self.solid.normal(face, at)
     }

@@ -39,6 +39,10 @@ impl<T: Solid> Solid for Placed<'_, T> {
         self.solid.spans(&self.pose.line_back(line), first, stack);
     }
 
+    fn onto(&self, face: Face, near: Vec3<Self::Scalar>) -> Vec3<Self::Scalar> {
+        self.pose.point(self.solid.onto(face, self.pose.point_back(near)))
+    }
+
     fn normal(&self, face: Face, at: Vec3<Self::Scalar>) -> Vec3<Self::Scalar> {
         self.pose.direction(self.solid.normal(face, self.pose.point_back(at)))
     }

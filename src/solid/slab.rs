@@ -158,6 +158,12 @@ impl<S: Scalar> Slab<S> {
         self.span(self.normal.dot(line.origin), self.normal.dot(line.direction))
     }
 
+    /// The point of a face nearest to a point beside it.
+    pub(super) fn onto_face(&self, face: Face, near: Vec3<S>) -> Vec3<S> {
+        let offset = if face.0 == 0 { self.low } else { self.high };
+        near + self.normal.vector() * (offset - self.normal.dot(near))
+    }
+
     pub(super) fn face_normal(&self, face: Face) -> Vec3<S> {
         let normal = self.normal.vector();
         if face.0 == 0 { -normal } else { normal }
@@ -176,6 +182,10 @@ impl<S: Scalar> Solid for Slab<S> {
         if let Some(span) = self.line_span(line) {
             stack.put(span.with_faces_from(first));
         }
+    }
+
+    fn onto(&self, face: Face, near: Vec3<S>) -> Vec3<S> {
+        self.onto_face(face, near)
     }
 
     fn normal(&self, face: Face, _: Vec3<S>) -> Vec3<S> {

@@ -92,6 +92,11 @@ impl<S: Scalar> Solid for Sphere<S> {
         }
     }
 
+    fn onto(&self, _: Face, near: Vec3<S>) -> Vec3<S> {
+        let u = near - self.center;
+        self.center + u * (self.radius / u.length_squared().sqrt())
+    }
+
     fn normal(&self, _: Face, at: Vec3<S>) -> Vec3<S> {
         (at - self.center) * (S::ONE / self.radius)
     }

@@ -58,7 +58,7 @@ impl<S: Scalar> CylinderWall<S> {
                 t >= ray.start() && self.caps.low <= x && x <= self.caps.high
             })
             .map(|(t, inner)| {
-                let point = line.at(t);
+                let point = self.tube.onto(&self.caps.normal, line.at(t));
                 let outward = self.tube.normal(&self.caps.normal, point);
                 let normal = if inner { -outward } else { outward };
                 WallHit { t: ray.parameter(t), point, normal, inner }

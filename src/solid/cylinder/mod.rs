@@ -189,6 +189,14 @@ impl<S: Scalar> Solid for Cylinder<S> {
         }
     }
 
+    fn onto(&self, face: Face, near: Vec3<S>) -> Vec3<S> {
+        if face == WALL {
+            self.tube.onto(&self.caps.normal, near)
+        } else {
+            self.caps.onto_face(face, near)
+        }
+    }
+
     fn normal(&self, face: Face, at: Vec3<S>) -> Vec3<S> {
         if face == WALL {
             self.tube.normal(&self.caps.normal, at)

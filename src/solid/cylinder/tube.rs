@@ -9,7 +9,7 @@
 //! The axis is never normalised away, and `|d × axis|²` is never 1 − d²: a line along the axis
 //! gives m = 0 exactly.
 
-use crate::geom::{Direction, Line, Vec3};
+use crate::geom::{Axis, Direction, Line, Vec3};
 use crate::scalar::{Double, Scalar};
 
 /// All points within `radius` of a line through `base`; the line's direction, the axis, is that of
@@ -45,14 +45,16 @@ impl<S: Scalar> Tube<S> {
         let u = line.origin - self.base;
         let d = line.direction;
         let radius_squared = Double::product(self.radius, self.radius);
-        let (a, b, discriminant, distance_squared, is_precise) = match axis.along() {
+        let (a, b, c, discriminant, distance_squared, is_precise) = match axis.along() {
             // q and m are two coordinates of u and d, turned by 90°.
             Some(along) => {
                 let ([q0, q1], [m0, m1]) = (along.across(u), along.across(d));
                 let a = Double::product(m0, m0).plus_roughly(Double::product(m1, m1));
                 let k = Double::product(q0, m1).minus_roughly(Double::product(q1, m0));
                 let discriminant = Double::product_less_square(radius_squared, a, k);
-                (a.high, q0 * m0 + q1 * m1, discriminant, q0 * q0 + q1 * q1, true)
+                let squared = Double::product(q0, q0).plus_roughly(Double::product(q1, q1));
+                let c = squared.minus_roughly(radius_squared).round();
+                (a.high, q0 * m0 + q1 * m1, c, discriminant, squared.high, true)
             }
             None => {
                 let (m, q) = (d.cross(axis.vector()), u.cross(axis.vector()));
@@ -65,13 +67,13 @@ impl<S: Scalar> Tube<S> {
                 } else {
                     discriminant * (discriminant + b * b) > largest * largest
                 };
-                (a, b, discriminant, q.length_squared(), is_precise)
+                let squared = q.length_squared();
+                (a, b, squared - radius_squared.high, discriminant, squared, is_precise)
             }
         };
         if is_precise && discriminant < S::ZERO {
             return Meeting::Beside;
         }
-        let c = distance_squared - radius_squared.high;
         let s = discriminant.max(S::ZERO).sqrt() + b.abs();
         let is_clear = c.abs() + c.abs() >= distance_squared + radius_squared.high
             && s * s * S::from_halves(2 * 4) > distance_squared * a;
@@ -88,10 +90,24 @@ impl<S: Scalar> Tube<S> {
     fn meet_closely(&self, axis: &Direction<S>, line: &Line<S>) -> Meeting<S> {
         let [ux, uy, uz] = difference(line.origin, self.base);
         let [dx, dy, dz] = line.direction.to_array().map(Double::from);
-        let [ax, ay, az] = axis.vector().to_array().map(Double::from);
-        let m = cross([dx, dy, dz], [ax, ay, az]);
-        let q = cross([ux, uy, uz], [ax, ay, az]);
-        let k = dot([ux, uy, uz], m);
+        match axis.along() {
+            Some(Axis::X) => self.roots_closely([uy, uz], [dy, dz], turned(uy, uz, dy, dz)),
+            Some(Axis::Y) => self.roots_closely([uz, ux], [dz, dx], turned(uz, ux, dz, dx)),
+            Some(Axis::Z) => self.roots_closely([ux, uy], [dx, dy], turned(ux, uy, dx, dy)),
+            None => {
+                let axis = axis.vector().to_array().map(Double::from);
+                let m = cross([dx, dy, dz], axis);
+                self.roots_closely(cross([ux, uy, uz], axis), m, dot([ux, uy, uz], m))
+            }
+        }
+    }
+
+    fn roots_closely<const N: usize>(
+        &self,
+        q: [Double<S>; N],
+        m: [Double<S>; N],
+        k: Double<S>,
+    ) -> Meeting<S> {
         let radius_squared = Double::product(self.radius, self.radius);
         let a = dot(m, m);
         let c = dot(q, q).minus(radius_squared).round();
@@ -110,6 +126,15 @@ impl<S: Scalar> Tube<S> {
         Meeting::roots(far, near, b)
     }
 
+    /// The point of the wall nearest to a point beside it.
+    pub(in crate::solid) fn onto(&self, axis: &Direction<S>, near: Vec3<S>) -> Vec3<S> {
+        let (axis, u) = (axis.vector(), near - self.base);
+        let along = axis * axis.dot(u);
+        let across = u - along;
+        let length = across.length_squared().sqrt();
+        self.base + (along + across * (self.radius / length))
+    }
+
     /// The outward normal at a point of the wall: (0, y, z)/r in the cylinder's own frame.
     pub(in crate::solid) fn normal(&self, axis: &Direction<S>, at: Vec3<S>) -> Vec3<S> {
         let u = at - self.base;
@@ -126,10 +151,14 @@ impl<S: Scalar> Meeting<S> {
     }
 }
 
-fn dot<S: Scalar>(x: [Double<S>; 3], y: [Double<S>; 3]) -> Double<S> {
-    let [x0, x1, x2] = x;
-    let [y0, y1, y2] = y;
-    x0.times(y0).plus(x1.times(y1)).plus(x2.times(y2))
+fn dot<S: Scalar, const N: usize>(x: [Double<S>; N], y: [Double<S>; N]) -> Double<S> {
+    let zero = Double::from(S::ZERO);
+    x.into_iter().zip(y).fold(zero, |sum, (x, y)| sum.plus(x.times(y)))
+}
+
+/// The scalar product of (x0, x1) with (y0, y1) turned by 90°.
+fn turned<S: Scalar>(x0: Double<S>, x1: Double<S>, y0: Double<S>, y1: Double<S>) -> Double<S> {
+    x0.times(y1).minus(x1.times(y0))
 }
 
 fn cross<S: Scalar>(x: [Double<S>; 3], y: [Double<S>; 3]) -> [Double<S>; 3] {
