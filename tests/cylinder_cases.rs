@@ -22,7 +22,8 @@ macro_rules! cases {
 
             /// Radius 5 (so that 3-4-5 triangles are exact), from x = −2 to 2.
             fn wall_hit(origin: [S; 3], direction: [S; 3]) -> Option<WallHit<S>> {
-                let wall = CylinderWall::<S>::along_x(0.0, 0.0, 5.0, -2.0, 2.0).unwrap();
+                let wall =
+                    CylinderWall::of(&Cylinder::<S>::along_x(0.0, 0.0, 5.0, -2.0, 2.0).unwrap());
                 wall.hit(&ray(origin, direction))
             }
 

@@ -8,7 +8,7 @@ use crate::host::receive::{CAPACITY, Ending, Frame, Session};
 use crate::host::terminal::Display;
 use crate::scene;
 use clap::Parser;
-use scancsg::geom::{Pose, Rays};
+use scancsg::geom::{Parallel, Pencil, Pose, Rays};
 use scancsg::render::{Depth, Gray8, Lambert, Picture, Pixel, Rgb565, Shader, Size, XRay};
 use scancsg::solid::{Placed, Project, Shape, Solid};
 use scancsg::span::SpanList;
@@ -187,6 +187,10 @@ fn send(args: &Args, line: HostLine, sent: &mut dyn FnMut(u16)) -> Result<Sent, 
     }
 }
 
+/// A part that both cameras can see.
+trait Part: Solid<Scalar = f32> + Project<Parallel<f32>> + Project<Pencil<f32>> {}
+impl<T: Solid<Scalar = f32> + Project<Parallel<f32>> + Project<Pencil<f32>>> Part for T {}
+
 fn send_shaded<T, P>(
     args: &Args,
     line: HostLine,
@@ -195,9 +199,7 @@ fn send_shaded<T, P>(
     background: P,
 ) -> Result<Sent, String>
 where
-    T: Solid<Scalar = f32>
-        + Project<scancsg::geom::Parallel<f32>>
-        + Project<scancsg::geom::Pencil<f32>>,
+    T: Part,
     P: Pixel,
 {
     // The part fits a ball of radius 2.6 around the origin.
@@ -227,9 +229,7 @@ fn send_seen<T, H, P>(
     background: P,
 ) -> Result<Sent, String>
 where
-    T: Solid<Scalar = f32>
-        + Project<scancsg::geom::Parallel<f32>>
-        + Project<scancsg::geom::Pencil<f32>>,
+    T: Part,
     H: Shader<f32> + Copy,
     P: Pixel,
 {

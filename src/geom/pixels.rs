@@ -31,6 +31,12 @@ impl Extent {
     /// No column.
     pub const EMPTY: Self = Self { start: 0, end: 0 };
 
+    /// All columns of a row.
+    #[must_use]
+    pub const fn all(columns: u32) -> Self {
+        Self { start: 0, end: columns }
+    }
+
     /// Whether no column is left.
     #[must_use]
     pub const fn is_empty(self) -> bool {

@@ -114,7 +114,7 @@ impl<T: Convex, R: Rays<Scalar = T::Scalar>> View for ConvexView<'_, T, R> {
         Self: 'a;
 
     fn row(&self, y: T::Scalar) -> Self::Row<'_> {
-        Leaf(EveryPixel { view: self, y })
+        Leaf { row: EveryPixel { view: self, y }, extent: Extent::all(self.rays.columns()) }
     }
 }
 
@@ -128,10 +128,6 @@ pub struct EveryPixel<'a, T: Convex, R> {
 impl<T: Convex, R: Rays<Scalar = T::Scalar>> ConvexRow for EveryPixel<'_, T, R> {
     type Scalar = T::Scalar;
     const FACES: u16 = T::FACES;
-
-    fn extent(&self) -> Extent {
-        Extent { start: 0, end: self.view.rays.columns() }
-    }
 
     fn span(&self, x: T::Scalar) -> Option<Span<T::Scalar>> {
         self.view.solid.span(&self.view.rays.line(x, self.y)).and_then(Span::checked)

@@ -62,16 +62,16 @@ pub trait ConvexRow {
     /// As [`Row::FACES`].
     const FACES: u16;
 
-    /// As [`Row::extent`].
-    fn extent(&self) -> Extent;
-
     /// The span of the pixel's ray, if there is one.
     fn span(&self, x: Self::Scalar) -> Option<Span<Self::Scalar>>;
 }
 
-/// A leaf of the tree of rows.
+/// A leaf of the tree of rows: a convex primitive, and the columns in which it can be seen.
 #[derive(Debug, Clone, Copy)]
-pub struct Leaf<R>(pub(super) R);
+pub struct Leaf<R> {
+    pub(super) row: R,
+    pub(super) extent: Extent,
+}
 
 impl<R: ConvexRow> Row for Leaf<R> {
     type Scalar = R::Scalar;
@@ -79,12 +79,12 @@ impl<R: ConvexRow> Row for Leaf<R> {
 
     #[inline]
     fn extent(&self) -> Extent {
-        self.0.extent()
+        self.extent
     }
 
     #[inline]
     fn spans(&self, column: Column<R::Scalar>, first: Face, stack: &mut SpanStack<'_, R::Scalar>) {
-        if let Some(span) = self.0.span(column.x) {
+        if let Some(span) = self.row.span(column.x) {
             stack.put(span.with_faces_from(first));
         }
     }

@@ -49,7 +49,7 @@ impl<S: Scalar> Quadratic<S> {
     /// roots' own rounding. Where the quadratic isn't clearly concave, or the errors' bound itself
     /// vanishes, all columns are returned.
     pub(super) fn extent(&self, columns: u32) -> Extent {
-        let all = Extent { start: 0, end: columns };
+        let all = Extent::all(columns);
         let unit = S::EPSILON * S::from_halves(2 * 64);
         let [c0, c1, c2] = self.coefficients;
         let [s0, s1, s2] = self.sizes;

@@ -234,10 +234,10 @@ impl<S: Scalar> ParallelView<S> {
 
 impl<S: Scalar> View for ParallelView<S> {
     type Scalar = S;
-    type Row<'a> = Leaf<WholeRow<ParallelRow<S>>>;
+    type Row<'a> = Leaf<ParallelRow<S>>;
 
     fn row(&self, y: S) -> Self::Row<'_> {
-        Leaf(WholeRow { row: self.slab_row(y), columns: self.columns })
+        Leaf { row: self.slab_row(y), extent: Extent::all(self.columns) }
     }
 }
 
@@ -314,10 +314,10 @@ impl<S: Scalar> PencilView<S> {
 
 impl<S: Scalar> View for PencilView<S> {
     type Scalar = S;
-    type Row<'a> = Leaf<WholeRow<PencilRow<S>>>;
+    type Row<'a> = Leaf<PencilRow<S>>;
 
     fn row(&self, y: S) -> Self::Row<'_> {
-        Leaf(WholeRow { row: self.slab_row(y), columns: self.plane.columns })
+        Leaf { row: self.slab_row(y), extent: Extent::all(self.plane.columns) }
     }
 }
 
@@ -336,29 +336,18 @@ impl<S: Scalar> PencilRow<S> {
     }
 }
 
-/// A slab's row: it may be seen in every column.
-#[derive(Debug, Clone, Copy)]
-pub struct WholeRow<R> {
-    row: R,
-    columns: u32,
-}
-
-macro_rules! whole_rows {
+macro_rules! convex_rows {
     ($($Row:ident),+) => {$(
-        impl<S: Scalar> ConvexRow for WholeRow<$Row<S>> {
+        impl<S: Scalar> ConvexRow for $Row<S> {
             type Scalar = S;
             const FACES: u16 = 2;
 
-            fn extent(&self) -> Extent {
-                Extent { start: 0, end: self.columns }
-            }
-
             #[inline]
             fn span(&self, x: S) -> Option<Span<S>> {
-                self.row.span(x)
+                $Row::span(self, x)
             }
         }
     )+};
 }
 
-whole_rows!(ParallelRow, PencilRow);
+convex_rows!(ParallelRow, PencilRow);

@@ -3,7 +3,7 @@
 use super::row::{ConvexRow, Leaf, Project, View};
 use super::silhouette::{ParallelBall, PencilBall};
 use super::{Shape, Solid};
-use crate::geom::{Extent, Line, Parallel, Pencil, Vec3};
+use crate::geom::{Line, Parallel, Pencil, Vec3};
 use crate::scalar::Scalar;
 use crate::span::{Crossing, Face, Span, SpanStack};
 
@@ -126,18 +126,20 @@ impl<S: Scalar> View for ParallelView<S> {
 
     fn row(&self, y: S) -> Self::Row<'_> {
         let across = self.ball.row_distance(y);
-        Leaf(ParallelRow {
-            half_chord_squared: S::product_difference(
-                self.ball.radius,
-                self.ball.radius,
-                across,
-                across,
-            ),
-            along: self.ball.along,
-            pitch: self.ball.pitch[0],
-            middle: self.middle,
+        Leaf {
+            row: ParallelRow {
+                half_chord_squared: S::product_difference(
+                    self.ball.radius,
+                    self.ball.radius,
+                    across,
+                    across,
+                ),
+                along: self.ball.along,
+                pitch: self.ball.pitch[0],
+                middle: self.middle,
+            },
             extent: self.ball.extent(y),
-        })
+        }
     }
 }
 
@@ -148,16 +150,11 @@ pub struct ParallelRow<S> {
     along: S,
     pitch: S,
     middle: S,
-    extent: Extent,
 }
 
 impl<S: Scalar> ConvexRow for ParallelRow<S> {
     type Scalar = S;
     const FACES: u16 = 1;
-
-    fn extent(&self) -> Extent {
-        self.extent
-    }
 
     #[inline]
     fn span(&self, x: S) -> Option<Span<S>> {
@@ -201,17 +198,19 @@ impl<S: Scalar> View for PencilView<S> {
         let [forward, right, down] = self.approach;
         let [moment, direction] = self.ball.row(y);
         let of_row = y * (down + y * self.pitch_squared[1]);
-        Leaf(PencilRow {
-            moment,
-            direction,
-            approach: [
-                forward + self.convergence * of_row,
-                self.convergence * right,
-                self.convergence * self.pitch_squared[0],
-            ],
-            radius_squared: self.ball.radius * self.ball.radius,
+        Leaf {
+            row: PencilRow {
+                moment,
+                direction,
+                approach: [
+                    forward + self.convergence * of_row,
+                    self.convergence * right,
+                    self.convergence * self.pitch_squared[0],
+                ],
+                radius_squared: self.ball.radius * self.ball.radius,
+            },
             extent: self.ball.extent(y),
-        })
+        }
     }
 }
 
@@ -222,16 +221,11 @@ pub struct PencilRow<S> {
     direction: [Vec3<S>; 2],
     approach: [S; 3],
     radius_squared: S,
-    extent: Extent,
 }
 
 impl<S: Scalar> ConvexRow for PencilRow<S> {
     type Scalar = S;
     const FACES: u16 = 1;
-
-    fn extent(&self) -> Extent {
-        self.extent
-    }
 
     #[inline]
     fn span(&self, x: S) -> Option<Span<S>> {

@@ -1,6 +1,6 @@
 //! The open cylinder: a wall without caps.
 
-use super::cylinder::{Cylinder, CylinderError, Meeting, Tube};
+use super::cylinder::{Cylinder, Meeting, Tube};
 use super::slab::Slab;
 use crate::geom::{Ray, Vec3};
 use crate::scalar::Scalar;
@@ -65,28 +65,3 @@ impl<S: Scalar> CylinderWall<S> {
             })
     }
 }
-
-macro_rules! constructors {
-    ($($Float:ident),+) => {$(
-        impl CylinderWall<$Float> {
-            /// The wall around the x axis' parallel at (`y`, `z`), from `x_min` to `x_max`.
-            ///
-            /// # Errors
-            /// As [`Cylinder::<f32>::along_x`](Cylinder::<f32>::along_x).
-            pub const fn along_x(
-                y: $Float,
-                z: $Float,
-                radius: $Float,
-                x_min: $Float,
-                x_max: $Float,
-            ) -> Result<Self, CylinderError> {
-                match Cylinder::<$Float>::along_x(y, z, radius, x_min, x_max) {
-                    Ok(cylinder) => Ok(Self::of(&cylinder)),
-                    Err(error) => Err(error),
-                }
-            }
-        }
-    )+};
-}
-
-constructors!(f32, f64);

@@ -5,7 +5,7 @@
 //! `middle ± √(r² − κ²) · stretch`, with an affine middle and `stretch` = 1/|d × axis|.
 
 use super::{Cylinder, WALL, wall_span};
-use crate::geom::{Extent, Parallel, Vec3};
+use crate::geom::{Parallel, Vec3};
 use crate::scalar::Scalar;
 use crate::solid::row::{ConvexRow, Leaf, Project, View};
 use crate::solid::silhouette::{ParallelBall, Quadratic};
@@ -87,12 +87,10 @@ impl<S: Scalar> View for ParallelView<S> {
                 (WallRow::Along { moments }, round.plus_length(-S::ONE, moments[0], moments[1]))
             }
         };
-        Leaf(ParallelRow {
-            wall,
-            radius_squared: radius * radius,
-            caps: self.caps.slab_row(y),
+        Leaf {
+            row: ParallelRow { wall, radius_squared: radius * radius, caps: self.caps.slab_row(y) },
             extent: silhouette.extent(self.columns).overlap(self.ball.extent(y)),
-        })
+        }
     }
 }
 
@@ -102,7 +100,6 @@ pub struct ParallelRow<S> {
     wall: WallRow<S>,
     radius_squared: S,
     caps: slab::ParallelRow<S>,
-    extent: Extent,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -114,10 +111,6 @@ enum WallRow<S> {
 impl<S: Scalar> ConvexRow for ParallelRow<S> {
     type Scalar = S;
     const FACES: u16 = 3;
-
-    fn extent(&self) -> Extent {
-        self.extent
-    }
 
     #[inline]
     fn span(&self, x: S) -> Option<Span<S>> {

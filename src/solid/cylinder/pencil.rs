@@ -5,7 +5,7 @@
 //! hold each of them.
 
 use super::{Cylinder, WALL, wall_span};
-use crate::geom::{Extent, Pencil, Vec3};
+use crate::geom::{Pencil, Vec3};
 use crate::scalar::Scalar;
 use crate::solid::row::{ConvexRow, Leaf, Project, View};
 use crate::solid::silhouette::{PencilBall, Quadratic};
@@ -97,14 +97,16 @@ impl<S: Scalar> View for PencilView<S> {
             .plus_square(S::ONE, one[0], one[1])
             .plus_square(S::ONE, other[0], other[1])
             .plus_square(-S::ONE, reach[0], reach[1]);
-        Leaf(PencilRow {
-            axes,
-            reach,
-            radius_squared,
-            eye_within: self.eye_within,
-            caps: self.caps.slab_row(y),
+        Leaf {
+            row: PencilRow {
+                axes,
+                reach,
+                radius_squared,
+                eye_within: self.eye_within,
+                caps: self.caps.slab_row(y),
+            },
             extent: silhouette.extent(self.columns).overlap(self.ball.extent(y)),
-        })
+        }
     }
 }
 
@@ -123,16 +125,11 @@ pub struct PencilRow<S> {
     radius_squared: S,
     eye_within: bool,
     caps: slab::PencilRow<S>,
-    extent: Extent,
 }
 
 impl<S: Scalar> ConvexRow for PencilRow<S> {
     type Scalar = S;
     const FACES: u16 = 3;
-
-    fn extent(&self) -> Extent {
-        self.extent
-    }
 
     #[inline]
     fn span(&self, x: S) -> Option<Span<S>> {
