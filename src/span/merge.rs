@@ -70,9 +70,18 @@ pub fn merge<S: Scalar>(
     right: usize,
 ) -> Result<(), StackFull> {
     let end = stack.len();
-    let unchanged = (end == right && operation.holds(true, false))
-        || (left == right && operation.holds(false, true));
-    if unchanged {
+    let keeps_left = operation.holds(true, false);
+    let keeps_right = operation.holds(false, true);
+    if (end == right && keeps_left) || (left == right && keeps_right) {
+        return Ok(());
+    }
+    // Most lists don't overlap. Then nothing need be walked, but for a union in the wrong order.
+    let in_order = is_before(stack, right, right);
+    if in_order && keeps_left && keeps_right {
+        return Ok(());
+    }
+    if !keeps_right && (in_order || is_before(stack, end, left)) {
+        stack.spans.truncate(if keeps_left { right } else { left });
         return Ok(());
     }
     let mut left_crossings = Crossings { next: left, end: right, inside: false };
@@ -84,6 +93,8 @@ pub fn merge<S: Scalar>(
         let from_right = right_crossings.peek(stack);
         let crossing = match (from_left, from_right) {
             (None, None) => break,
+            // Without the left operand, the rest of the right one is nothing.
+            (None, Some(_)) if !keeps_right => break,
             (Some(crossing), None) => {
                 left_crossings.pass();
                 crossing
@@ -130,6 +141,13 @@ pub fn merge<S: Scalar>(
     }
     stack.spans.truncate(to);
     Ok(())
+}
+
+/// Whether the span in front of `one` ends before the span at `other` begins.
+#[inline]
+fn is_before<S: Scalar>(stack: &SpanStack<'_, S>, one: usize, other: usize) -> bool {
+    let last = one.checked_sub(1).and_then(|last| stack.spans.get(last));
+    matches!((last, stack.spans.get(other)), (Some(last), Some(first)) if last.exit.t < first.enter.t)
 }
 
 /// A walk over the crossings of the spans from `next` to before `end`.

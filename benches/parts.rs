@@ -1,0 +1,133 @@
+//! How long the parts take on this host: `cargo bench --bench parts`, or with a name behind `--`
+//! only those. Instructions on microcontrollers are another matter.
+
+#![allow(clippy::unwrap_used)]
+
+#[path = "../examples/scene/mod.rs"]
+mod scene;
+
+use divan::{Bencher, black_box, counter::ItemsCount};
+use scancsg::geom::{Line, Ray, vec3};
+use scancsg::render::{Camera, Gray8, Lambert, Picture, PixelFormat, Size};
+use scancsg::solid::{Cylinder, Project, Shape, Solid};
+use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
+use scancsg::stream::{Decoder, encode_row, packet_capacity};
+
+const SPANS: usize = <scene::Tee<f32> as Shape>::STACK;
+const SIZE: (u16, u16) = (160, 120);
+const PACKET: usize = packet_capacity(SIZE.0, PixelFormat::Gray8);
+
+fn main() {
+    divan::main();
+}
+
+/// A ray at a cylinder, as it is: ray and query.
+#[divan::bench]
+fn cylinder_ray_and_query(bencher: Bencher<'_, '_>) {
+    let cylinder = Cylinder::<f32>::along_x(0.0, 0.0, 1.0, -2.0, 2.0).unwrap();
+    let (origin, direction) = (vec3(3.0, 4.0, 5.0), vec3(-0.5, -0.7, -0.9));
+    let mut list = SpanList::<f32, 1>::new();
+    bencher.bench_local(|| {
+        let ray = Ray::new(black_box(origin), black_box(direction));
+        ray.map(|ray| cylinder.trace(&ray, &mut list).len())
+    });
+}
+
+/// A prepared line at the whole part: ten cylinders and their merge.
+#[divan::bench]
+fn tee_line(bencher: Bencher<'_, '_>) {
+    let line = Line { origin: vec3(3.0f32, 2.5, 4.0), direction: vec3(-0.5f32, -0.4, -0.7) };
+    let mut list = SpanList::<f32, SPANS>::new();
+    bencher.bench_local(|| {
+        scene::f32::TEE.line_spans(black_box(&line), &mut list);
+        list.len()
+    });
+}
+
+/// Two lists of so many spans each that all overlap.
+#[divan::bench(consts = [1, 4, 16])]
+fn merge_spans<const N: usize>(bencher: Bencher<'_, '_>) {
+    let at = |t: usize| Crossing { t: t as f32, face: Face(0) };
+    let mut list = SpanList::<f32, 64>::new();
+    bencher.counter(ItemsCount::new(2 * N)).bench_local(|| {
+        let mut stack = list.stack();
+        for shift in [0, 1] {
+            for i in 0..N {
+                let start = 4 * i + shift;
+                let span = Span { enter: at(start), exit: at(start + 2) };
+                let _ = stack.push(black_box(span));
+            }
+        }
+        let _ = merge(Operation::UNION, &mut stack, 0, N);
+        list.len()
+    });
+}
+
+/// Getting ready for a picture: once per frame.
+#[divan::bench]
+fn tee_view(bencher: Bencher<'_, '_>) {
+    let rays = scene::f32::orthographic().unwrap().rays(Size::new(SIZE.0, SIZE.1).unwrap());
+    bencher.bench_local(|| {
+        black_box(scene::f32::TEE.view(black_box(&rays)));
+    });
+}
+
+/// The row through the middle of the part.
+#[divan::bench]
+fn tee_row(bencher: Bencher<'_, '_>) {
+    let camera = scene::f32::orthographic().unwrap();
+    let light = Lambert::new(scene::f32::TO_LIGHT, 0.15).unwrap();
+    let size = Size::new(SIZE.0, SIZE.1).unwrap();
+    let picture = Picture::new(&scene::f32::TEE, &camera, size, light, Gray8(0));
+    let mut list = SpanList::<f32, SPANS>::new();
+    let mut pixels = [Gray8(0); SIZE.0 as usize];
+    bencher.counter(ItemsCount::new(SIZE.0)).bench_local(|| {
+        picture.scanline(black_box(60)).and_then(|row| row.render(&mut list, &mut pixels))
+    });
+}
+
+/// A whole frame, by camera.
+#[divan::bench(args = ["orthographic", "perspective"])]
+fn tee_frame(bencher: Bencher<'_, '_>, camera: &str) {
+    let light = Lambert::new(scene::f32::TO_LIGHT, 0.15).unwrap();
+    let size = Size::new(SIZE.0, SIZE.1).unwrap();
+    let mut list = SpanList::<f32, SPANS>::new();
+    let mut pixels = [Gray8(0); SIZE.0 as usize];
+    let bencher = bencher.counter(ItemsCount::new(u32::from(SIZE.0) * u32::from(SIZE.1)));
+    macro_rules! frames {
+        ($camera:expr) => {
+            bencher.bench_local(|| {
+                let tee = &scene::f32::TEE;
+                let picture = Picture::new(tee, black_box(&$camera), size, light, Gray8(0));
+                picture.scanlines().try_for_each(|row| row.render(&mut list, &mut pixels))
+            })
+        };
+    }
+    match camera {
+        "orthographic" => frames!(scene::f32::orthographic().unwrap()),
+        _ => frames!(scene::f32::perspective().unwrap()),
+    }
+}
+
+/// A row as it goes onto the line, and back.
+#[divan::bench(args = ["encode", "decode"])]
+fn packet(bencher: Bencher<'_, '_>, which: &str) {
+    let camera = scene::f32::orthographic().unwrap();
+    let light = Lambert::new(scene::f32::TO_LIGHT, 0.15).unwrap();
+    let size = Size::new(SIZE.0, SIZE.1).unwrap();
+    let picture = Picture::new(&scene::f32::TEE, &camera, size, light, Gray8(0));
+    let mut pixels = [Gray8(0); SIZE.0 as usize];
+    picture.scanline(60).unwrap().render(&mut SpanList::<f32, SPANS>::new(), &mut pixels).unwrap();
+    let mut packet = [0; PACKET];
+    let length = encode_row(0, 60, &pixels, &mut packet).unwrap();
+    let bencher = bencher.counter(ItemsCount::new(SIZE.0));
+    if which == "encode" {
+        bencher.bench_local(|| encode_row(0, 60, black_box(&pixels), &mut packet));
+    } else {
+        let mut decoder = Decoder::<PACKET>::new();
+        bencher.bench_local(|| {
+            let mut bytes = packet.get(..length).unwrap_or_default();
+            decoder.feed(black_box(&mut bytes)).is_some()
+        });
+    }
+}
