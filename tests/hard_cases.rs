@@ -166,3 +166,12 @@ macro_rules! hard_cases {
 
 hard_cases!(f32);
 hard_cases!(f64);
+
+/// The two roots of a tangent come from different quotients, and if they round to different
+/// numbers, the touch becomes a span.
+#[test]
+fn a_tangent_has_one_root() {
+    let rod = Cylinder::<f64>::along_z(-6.0, 2.0, 2.0, -1e6, 1e6).unwrap();
+    let ray = Ray::new(vec3(-15.0, 0.0, -15.0), vec3(11.0, 0.0, 11.0)).unwrap();
+    assert!(rod.trace(&ray, &mut SpanList::<f64, 1>::new()).is_empty());
+}

@@ -72,7 +72,15 @@ where
             let want = depth(&view.ray(pixel, size, [0.0; 2]));
             found.covered += usize::from(got.is_some());
 
-            let around = || view.rays_around(pixel, size, SILHOUETTE).map(|ray| depth(&ray));
+            // The disc, on circles in it as well: it may be cut by an edge.
+            let around = || {
+                [1.0, 0.3, 0.1, 0.03, 0.01]
+                    .map(|part| view.rays_around(pixel, size, SILHOUETTE * part))
+                    .as_flattened()
+                    .iter()
+                    .map(depth)
+                    .collect::<Vec<_>>()
+            };
             match (got, want) {
                 (None, None) => {}
                 (Some(got), Some(want)) if (got - want).abs() <= DEPTH => {

@@ -78,7 +78,7 @@ impl<S: Scalar> Tube<S> {
         let is_clear = c.abs() + c.abs() >= distance_squared + radius_squared.high
             && s * s * S::from_halves(2 * 4) > distance_squared * a;
         if is_precise && is_clear {
-            Meeting::roots(s / a, c / s, b)
+            Meeting::roots(s / a, c / s, b, discriminant)
         } else {
             self.meet_closely(axis, line)
         }
@@ -121,9 +121,7 @@ impl<S: Scalar> Tube<S> {
         let b = dot(q, m).round();
         let s = discriminant.sqrt() + b.abs();
         let far = s / a.round();
-        // A tangent at the line's own origin has both roots there.
-        let near = if s > S::ZERO { c / s } else { far };
-        Meeting::roots(far, near, b)
+        Meeting::roots(far, c / s, b, discriminant)
     }
 
     /// The point of the wall nearest to a point beside it.
@@ -144,9 +142,18 @@ impl<S: Scalar> Tube<S> {
 
 impl<S: Scalar> Meeting<S> {
     /// The points from the roots' sizes: `far` = (|b| + √D)/a, and `near` = c/(|b| + √D).
-    fn roots(far: S, near: S, b: S) -> Self {
-        let (one, other) = if b > S::ZERO { (-far, -near) } else { (near, far) };
-        // A tangent's roots may come out in the wrong order by a rounding error.
+    fn roots(far: S, near: S, b: S, discriminant: S) -> Self {
+        // A tangent has one root, but c/s would round to another number, or be 0/0.
+        let near = if discriminant > S::ZERO { near } else { far };
+        // With b = 0 both are ±√D/a: from either end of the line the same.
+        let (one, other) = if b == S::ZERO {
+            (-far, far)
+        } else if b > S::ZERO {
+            (-far, -near)
+        } else {
+            (near, far)
+        };
+        // Almost tangent, they may come out in the wrong order by a rounding error.
         if one < other { Self::Points(one, other) } else { Self::Points(other, one) }
     }
 }
