@@ -110,11 +110,12 @@ fn rebase<S: Scalar>(origin: Vec3<S>, direction: Vec3<S>) -> (Vec3<S>, S) {
     // 256: from nearer by, the crossings' own rounding errors outweigh those of the coordinates,
     // and what lies near the ray's start would lose digits to the shift.
     let is_far = |near: Vec3<S>| origin.max_abs() > near.max_abs() * S::from_halves(2 * 256);
-    let roughly = -(origin.dot(direction) / direction.length_squared());
+    let speed_squared = direction.length_squared();
+    let roughly = -(origin.dot(direction) / speed_squared);
     if !is_far(origin + direction * roughly) {
         return (origin, S::ZERO);
     }
-    let offset = -(origin.dot_compensated(direction) / direction.length_squared());
+    let offset = -(origin.dot_compensated(direction) / speed_squared);
     let moved = Vec3::new(
         S::add_product(origin.x, offset, direction.x),
         S::add_product(origin.y, offset, direction.y),

@@ -7,7 +7,7 @@ use super::Scalar;
 /// Knuth, *The Art of Computer Programming* vol. 2, section 4.2.2, theorem B. Exact for all
 /// finite inputs whose sum does not overflow.
 #[inline]
-pub fn two_sum<S: Scalar>(a: S, b: S) -> (S, S) {
+pub(crate) fn two_sum<S: Scalar>(a: S, b: S) -> (S, S) {
     let sum = a + b;
     let b_rounded = sum - a;
     let a_rounded = sum - b_rounded;
@@ -20,7 +20,7 @@ pub fn two_sum<S: Scalar>(a: S, b: S) -> (S, S) {
 /// Mathematik 18 (1971), with Veltkamp's split. It uses products and sums only, so it gives the
 /// same bits with and without an FMA unit. Exact unless an intermediate leaves the type's range.
 #[inline]
-pub fn two_product<S: Split>(a: S, b: S) -> (S, S) {
+fn two_product<S: Split>(a: S, b: S) -> (S, S) {
     let product = a * b;
     let (a_high, a_low) = a.split();
     let (b_high, b_low) = b.split();
@@ -51,7 +51,7 @@ use two_product_wide as two_product_f32;
 /// analysis of Kahan's algorithm for the accurate computation of 2×2 determinants*, Mathematics
 /// of Computation 82 (2013), section 4, with both products' errors kept.
 #[inline]
-pub fn product_difference<S: Scalar>(a: S, b: S, c: S, d: S) -> S {
+fn product_difference<S: Scalar>(a: S, b: S, c: S, d: S) -> S {
     let (ab, ab_error) = S::two_product(a, b);
     let (cd, cd_error) = S::two_product(c, d);
     (ab - cd) + (ab_error - cd_error)
@@ -70,7 +70,7 @@ fn dot3<S: Scalar>(x: [S; 3], y: [S; 3]) -> S {
 }
 
 /// A binary floating-point number that can be split into two halves of its precision.
-pub trait Split: Scalar {
+trait Split: Scalar {
     /// High and low half: `self = high + low` exactly, and products of halves are exact.
     fn split(self) -> (Self, Self);
 }

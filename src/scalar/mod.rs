@@ -12,7 +12,7 @@ mod float;
 mod root;
 
 pub(crate) use self::double::Double;
-pub use self::float::{product_difference, two_product, two_sum};
+pub(crate) use self::float::two_sum;
 pub(crate) use self::root::sqrt as const_sqrt;
 
 use core::fmt::Debug;

@@ -88,16 +88,17 @@ impl<S: Scalar> Tube<S> {
     #[cold]
     #[inline(never)]
     fn meet_closely(&self, axis: &Direction<S>, line: &Line<S>) -> Meeting<S> {
-        let [ux, uy, uz] = difference(line.origin, self.base);
-        let [dx, dy, dz] = line.direction.to_array().map(Double::from);
+        let u = difference(line.origin, self.base);
+        let d = widened(line.direction);
         match axis.along() {
-            Some(Axis::X) => self.roots_closely([uy, uz], [dy, dz], turned(uy, uz, dy, dz)),
-            Some(Axis::Y) => self.roots_closely([uz, ux], [dz, dx], turned(uz, ux, dz, dx)),
-            Some(Axis::Z) => self.roots_closely([ux, uy], [dx, dy], turned(ux, uy, dx, dy)),
+            Some(along) => {
+                let (q, m) = (along.across(u), along.across(d));
+                self.roots_closely(q, m, turned(q, m))
+            }
             None => {
-                let axis = axis.vector().to_array().map(Double::from);
-                let m = cross([dx, dy, dz], axis);
-                self.roots_closely(cross([ux, uy, uz], axis), m, dot([ux, uy, uz], m))
+                let axis = widened(axis.vector());
+                let m = cross(d, axis);
+                self.roots_closely(cross(u, axis), m, dot(u.to_array(), m))
             }
         }
     }
@@ -163,22 +164,20 @@ fn dot<S: Scalar, const N: usize>(x: [Double<S>; N], y: [Double<S>; N]) -> Doubl
     x.into_iter().zip(y).fold(zero, |sum, (x, y)| sum.plus(x.times(y)))
 }
 
-/// The scalar product of (x0, x1) with (y0, y1) turned by 90°.
-fn turned<S: Scalar>(x0: Double<S>, x1: Double<S>, y0: Double<S>, y1: Double<S>) -> Double<S> {
+/// The scalar product of one vector with another turned by 90°.
+fn turned<S: Scalar>([x0, x1]: [Double<S>; 2], [y0, y1]: [Double<S>; 2]) -> Double<S> {
     x0.times(y1).minus(x1.times(y0))
 }
 
-fn cross<S: Scalar>(x: [Double<S>; 3], y: [Double<S>; 3]) -> [Double<S>; 3] {
-    let [x0, x1, x2] = x;
-    let [y0, y1, y2] = y;
-    [
-        x1.times(y2).minus(x2.times(y1)),
-        x2.times(y0).minus(x0.times(y2)),
-        x0.times(y1).minus(x1.times(y0)),
-    ]
+fn cross<S: Scalar>(x: Vec3<Double<S>>, y: Vec3<Double<S>>) -> [Double<S>; 3] {
+    [Axis::X, Axis::Y, Axis::Z].map(|axis| turned(axis.across(x), axis.across(y)))
 }
 
 /// `p − q`, exactly.
-fn difference<S: Scalar>(p: Vec3<S>, q: Vec3<S>) -> [Double<S>; 3] {
-    [Double::sum(p.x, -q.x), Double::sum(p.y, -q.y), Double::sum(p.z, -q.z)]
+fn difference<S: Scalar>(p: Vec3<S>, q: Vec3<S>) -> Vec3<Double<S>> {
+    Vec3::new(Double::sum(p.x, -q.x), Double::sum(p.y, -q.y), Double::sum(p.z, -q.z))
+}
+
+fn widened<S: Scalar>(v: Vec3<S>) -> Vec3<Double<S>> {
+    Vec3::new(Double::from(v.x), Double::from(v.y), Double::from(v.z))
 }
