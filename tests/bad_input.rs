@@ -219,7 +219,7 @@ macro_rules! bad_input {
                 });
                 let [eye, target, up]: [Vec3<S>; 3] =
                     [vec3(0.0, 0.0, 5.0), vec3(0.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0)];
-                let pi = <S as scancsg::scalar::Scalar>::PI;
+                let pi = <S as scancsg::scalar::Real>::PI;
                 for field in [0.0, -0.0, -1.0, pi, 4.0, S::NAN, S::INFINITY, S::NEG_INFINITY] {
                     let camera = Perspective::look_at(eye, target, up, field);
                     assert_eq!(camera, Err(FieldOfView), "{field}");

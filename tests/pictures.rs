@@ -408,7 +408,7 @@ fn check_levels<H: Shader<f32> + Copy>(
             let around = view.rays_around(pixel, size, SILHOUETTE);
             let [low, high] = range(around.iter().map(of).chain([want]));
             assert!(
-                low - 1.0 <= got.into() && f64::from(got) <= high + 1.0,
+                low - 1.0 <= f64::from(got) && f64::from(got) <= high + 1.0,
                 "{pixel:?}: {got} is not {want}"
             );
         }

@@ -9,26 +9,26 @@
 use proptest::prelude::*;
 use scancsg::geom::{Line, Pose, Ray, Vec3, vec3};
 use scancsg::solid::{
-    Cylinder, Difference, Intersection, Placed, Shape, Slab, Solid, Sphere, Union,
+    Cylinder, Difference, Intersect, Intersection, Placed, Shape, Slab, Solid, Sphere, Union,
 };
 use scancsg::span::{Face, SpanList, SpanStack};
 
 /// Any primitive, so that one scene type can be filled at random.
 #[derive(Debug, Clone, Copy)]
-enum Primitive<S> {
+enum Primitive<S: Intersect> {
     Cylinder(Cylinder<S>),
     Slab(Slab<S>),
     Sphere(Sphere<S>),
 }
 
-impl<S: scancsg::scalar::Scalar> Shape for Primitive<S> {
+impl<S: Intersect> Shape for Primitive<S> {
     type Scalar = S;
     const SPANS: usize = 1;
     const STACK: usize = 1;
     const FACES: u16 = 3;
 }
 
-impl<S: scancsg::scalar::Scalar> Solid for Primitive<S> {
+impl<S: Intersect> Solid for Primitive<S> {
     fn spans(&self, line: &Line<S>, first: Face, stack: &mut SpanStack<'_, S>) {
         match self {
             Self::Cylinder(solid) => solid.spans(line, first, stack),

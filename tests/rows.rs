@@ -132,10 +132,10 @@ where
     let view = solid.view(rays);
     let mut list = SpanList::<f32, 1>::new();
     for y in 0..height {
-        let row = view.row(f32::from(y) + 0.5 - 0.5 * f32::from(height));
+        let row = view.row(2 * i32::from(y) + 1 - i32::from(height));
         let extent = row.extent();
         for index in (0..rays.columns()).filter(|index| !extent.contains(*index)) {
-            let x = index as f32 + 0.5 - 0.5 * rays.columns() as f32;
+            let x = 2 * index as i32 + 1 - rays.columns() as i32;
             row.spans(Column { index, x }, Face(0), &mut list.stack());
             prop_assert!(list.is_empty(), "column {} of row {}, {:?}", index, y, extent);
         }

@@ -6,6 +6,7 @@
 use scancsg::constant;
 use scancsg::geom::{Vec3, vec3};
 use scancsg::render::{CameraError, Orthographic, Perspective};
+use scancsg::scalar::I16F16;
 use scancsg::solid::{Cylinder, Difference, Painted, Rgb};
 
 /// What there is of it, minus what is drilled out.
@@ -15,50 +16,63 @@ pub type Tee<S> = Difference<[Cylinder<S>; 4], [Cylinder<S>; 6]>;
 pub type PaintedTee<S> = Difference<Painted<[Cylinder<S>; 4]>, Painted<[Cylinder<S>; 6]>>;
 
 macro_rules! tee {
-    ($scalar:ident) => {
+    ($module:ident, $scalar:ty, $from_ratio:path) => {
         /// The part with numbers of this type; it costs flash and no RAM.
-        pub mod $scalar {
+        pub mod $module {
             use super::*;
 
-            const BODY: [Cylinder<$scalar>; 4] = [
-                constant!(Cylinder::<$scalar>::along_x(0.0, 0.0, 1.0, -2.0, 2.0)),
-                constant!(Cylinder::<$scalar>::along_x(0.0, 0.0, 1.6, -2.0, -1.7)),
-                constant!(Cylinder::<$scalar>::along_x(0.0, 0.0, 1.6, 1.7, 2.0)),
-                constant!(Cylinder::<$scalar>::along_y(0.0, 0.0, 0.8, 0.0, 2.0)),
+            /// The number type.
+            pub type Scalar = $scalar;
+
+            const BODY: [Cylinder<Scalar>; 4] = [
+                constant!(Cylinder::<Scalar>::along_x(n(0), n(0), n(100), n(-200), n(200))),
+                constant!(Cylinder::<Scalar>::along_x(n(0), n(0), n(160), n(-200), n(-170))),
+                constant!(Cylinder::<Scalar>::along_x(n(0), n(0), n(160), n(170), n(200))),
+                constant!(Cylinder::<Scalar>::along_y(n(0), n(0), n(80), n(0), n(200))),
             ];
-            const BORES: [Cylinder<$scalar>; 6] = [
-                constant!(Cylinder::<$scalar>::along_x(0.0, 0.0, 0.7, -3.0, 3.0)),
-                constant!(Cylinder::<$scalar>::along_y(0.0, 0.0, 0.5, 0.0, 3.0)),
-                constant!(Cylinder::<$scalar>::along_x(1.3, 0.0, 0.15, -3.0, 3.0)),
-                constant!(Cylinder::<$scalar>::along_x(-1.3, 0.0, 0.15, -3.0, 3.0)),
-                constant!(Cylinder::<$scalar>::along_x(0.0, 1.3, 0.15, -3.0, 3.0)),
-                constant!(Cylinder::<$scalar>::along_x(0.0, -1.3, 0.15, -3.0, 3.0)),
+            const BORES: [Cylinder<Scalar>; 6] = [
+                constant!(Cylinder::<Scalar>::along_x(n(0), n(0), n(70), n(-300), n(300))),
+                constant!(Cylinder::<Scalar>::along_y(n(0), n(0), n(50), n(0), n(300))),
+                constant!(Cylinder::<Scalar>::along_x(n(130), n(0), n(15), n(-300), n(300))),
+                constant!(Cylinder::<Scalar>::along_x(n(-130), n(0), n(15), n(-300), n(300))),
+                constant!(Cylinder::<Scalar>::along_x(n(0), n(130), n(15), n(-300), n(300))),
+                constant!(Cylinder::<Scalar>::along_x(n(0), n(-130), n(15), n(-300), n(300))),
             ];
+
+            /// The number nearest to this many hundredths.
+            const fn n(hundredths: i32) -> Scalar {
+                $from_ratio(hundredths, 100)
+            }
+
+            /// The number nearest to this many hundred millionths.
+            const fn fine(parts: i32) -> Scalar {
+                $from_ratio(parts, 100_000_000)
+            }
 
             /// The part.
-            pub const TEE: Tee<$scalar> = Tee::new(BODY, BORES);
+            pub const TEE: Tee<Scalar> = Tee::new(BODY, BORES);
 
             /// The part, steel outside and brass where it was drilled.
-            pub const PAINTED_TEE: PaintedTee<$scalar> =
+            pub const PAINTED_TEE: PaintedTee<Scalar> =
                 PaintedTee::new(Painted::new(BODY, STEEL), Painted::new(BORES, BRASS));
 
             /// The camera of every measurement: 4.4 units of frame height, from the upper right.
-            pub fn orthographic() -> Result<Orthographic<$scalar>, CameraError> {
-                Orthographic::look_along(VIEW, Vec3::ZERO, UP, 4.4)
+            pub fn orthographic() -> Result<Orthographic<Scalar>, CameraError> {
+                Orthographic::look_along(VIEW, Vec3::ZERO, UP, n(440))
             }
 
             /// The same direction from a distance of 10 units, with 5 units of frame height at the
             /// part's middle.
-            pub fn perspective() -> Result<Perspective<$scalar>, CameraError> {
+            pub fn perspective() -> Result<Perspective<Scalar>, CameraError> {
                 // 2·atan(2.5/10).
-                Perspective::look_at(VIEW * -10.0, Vec3::ZERO, UP, 0.489_957_3)
+                Perspective::look_at(VIEW * n(-1000), Vec3::ZERO, UP, fine(48_995_730))
             }
 
-            const VIEW: Vec3<$scalar> = vec3(-0.6 * 0.866_025_4, -0.5, -0.8 * 0.866_025_4);
-            const UP: Vec3<$scalar> = vec3(0.0, 1.0, 0.0);
+            const VIEW: Vec3<Scalar> = vec3(fine(-51_961_524), n(-50), fine(-69_282_032));
+            const UP: Vec3<Scalar> = vec3(n(0), n(100), n(0));
 
             /// Towards the light: from above, in front of the branch.
-            pub const TO_LIGHT: Vec3<$scalar> = vec3(0.25, 0.85, 0.45);
+            pub const TO_LIGHT: Vec3<Scalar> = vec3(n(25), n(85), n(45));
         }
     };
 }
@@ -66,5 +80,19 @@ macro_rules! tee {
 const STEEL: Rgb = Rgb::new(150, 175, 200);
 const BRASS: Rgb = Rgb::new(235, 175, 70);
 
-tee!(f32);
-tee!(f64);
+const fn single(numerator: i32, denominator: i32) -> f32 {
+    double(numerator, denominator) as f32
+}
+
+const fn double(numerator: i32, denominator: i32) -> f64 {
+    numerator as f64 / denominator as f64
+}
+
+const fn fixed_point(numerator: i32, denominator: i32) -> I16F16 {
+    let (numerator, denominator) = ((numerator as i64) << 17, denominator as i64);
+    I16F16::from_bits((numerator + denominator).div_euclid(2 * denominator) as i32)
+}
+
+tee!(f32, f32, single);
+tee!(f64, f64, double);
+tee!(i16f16, I16F16, fixed_point);

@@ -1,7 +1,7 @@
 //! Unit vectors that know whether they point along a coordinate axis.
 
 use super::Vec3;
-use crate::scalar::Scalar;
+use crate::scalar::{Check, FixedI32, Fraction, Number, Scalar};
 
 /// A vector of length 1 (up to rounding).
 ///
@@ -9,52 +9,66 @@ use crate::scalar::Scalar;
 /// other coordinates' zeros are left out, and what is left is exact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(crate) struct Direction<S> {
-    vector: Vec3<S>,
+pub struct Direction<S: Scalar> {
+    vector: Vec3<S::Unit>,
     along: Option<Axis>,
 }
 
 /// A coordinate axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(crate) enum Axis {
+pub enum Axis {
+    /// The first.
     X,
+    /// The second.
     Y,
+    /// The third.
     Z,
 }
 
 macro_rules! constructors {
-    ($($Float:ident),+) => {$(
-        impl Direction<$Float> {
-            pub(crate) const X: Self = Self::new(Vec3::new(1.0, 0.0, 0.0));
-            pub(crate) const Y: Self = Self::new(Vec3::new(0.0, 1.0, 0.0));
-            pub(crate) const Z: Self = Self::new(Vec3::new(0.0, 0.0, 1.0));
-
+    ($([$($generics:tt)*] $Scalar:ty),+) => {$(
+        impl<$($generics)*> Direction<$Scalar> {
             /// The direction of a vector that has length 1.
-            pub(crate) const fn new(vector: Vec3<$Float>) -> Self {
-                let Vec3 { x, y, z } = vector;
-                let along = if y == 0.0 && z == 0.0 {
-                    Some(Axis::X)
-                } else if z == 0.0 && x == 0.0 {
-                    Some(Axis::Y)
-                } else if x == 0.0 && y == 0.0 {
-                    Some(Axis::Z)
-                } else {
-                    None
+            pub(crate) const fn new(vector: [<$Scalar as Scalar>::Unit; 3]) -> Self {
+                let along = match Check::<$Scalar>::axis(vector) {
+                    Some(0) => Some(Axis::X),
+                    Some(1) => Some(Axis::Y),
+                    Some(2) => Some(Axis::Z),
+                    _ => None,
                 };
-                Self { vector, along }
+                let [x, y, z] = vector;
+                Self { vector: Vec3 { x, y, z }, along }
             }
         }
     )+};
 }
 
-constructors!(f32, f64);
+constructors!([] f32, [] f64, [F: Fraction] FixedI32<F>);
 
 impl<S: Scalar> Direction<S> {
+    pub(crate) const X: Self = Self {
+        vector: Vec3::new(S::Unit::ONE, S::Unit::ZERO, S::Unit::ZERO),
+        along: Some(Axis::X),
+    };
+    pub(crate) const Y: Self = Self {
+        vector: Vec3::new(S::Unit::ZERO, S::Unit::ONE, S::Unit::ZERO),
+        along: Some(Axis::Y),
+    };
+    pub(crate) const Z: Self = Self {
+        vector: Vec3::new(S::Unit::ZERO, S::Unit::ZERO, S::Unit::ONE),
+        along: Some(Axis::Z),
+    };
+
     /// The vector.
     #[inline]
-    pub(crate) fn vector(&self) -> Vec3<S> {
+    pub(crate) fn vector(&self) -> Vec3<S::Unit> {
         self.vector
+    }
+
+    /// The vector with more digits, for the set-up of views.
+    pub(crate) fn fine(&self) -> Vec3<S::Fine> {
+        self.vector.map(S::fine_unit)
     }
 
     /// The coordinate axis that it lies along, in either direction.
@@ -68,18 +82,35 @@ impl<S: Scalar> Direction<S> {
     #[inline]
     pub(crate) fn dot(&self, other: Vec3<S>) -> S {
         match self.along {
-            Some(Axis::X) => self.vector.x * other.x,
-            Some(Axis::Y) => self.vector.y * other.y,
-            Some(Axis::Z) => self.vector.z * other.z,
-            None => self.vector.dot_compensated(other),
+            Some(Axis::X) => other.x.times_unit(self.vector.x),
+            Some(Axis::Y) => other.y.times_unit(self.vector.y),
+            Some(Axis::Z) => other.z.times_unit(self.vector.z),
+            None => S::dot_unit(other.to_array(), self.vector.to_array()),
         }
+    }
+
+    /// As [`dot`](Self::dot), with more digits.
+    pub(crate) fn dot_fine(&self, other: Vec3<S::Fine>) -> S::Fine {
+        let fine = self.fine();
+        match self.along {
+            Some(Axis::X) => fine.x * other.x,
+            Some(Axis::Y) => fine.y * other.y,
+            Some(Axis::Z) => fine.z * other.z,
+            None => fine.dot_compensated(other),
+        }
+    }
+
+    /// The direction times a length.
+    #[inline]
+    pub(crate) fn times(&self, length: S) -> Vec3<S> {
+        self.vector.map(|coordinate| length.times_unit(coordinate))
     }
 }
 
 impl Axis {
     /// The other two coordinates of a vector, in cyclic order.
     #[inline]
-    pub(crate) fn across<S: Copy>(self, v: Vec3<S>) -> [S; 2] {
+    pub(crate) fn across<T: Copy>(self, v: Vec3<T>) -> [T; 2] {
         match self {
             Self::X => [v.y, v.z],
             Self::Y => [v.z, v.x],

@@ -4,17 +4,53 @@
 //! viewing direction. A pixel (X, Y), counted from the middle of the picture, sees the point
 //! `P = centre + X·right + Y·down` of it, and the parameter t of its ray is zero there. So t stays
 //! as small as the scene, however far away the camera is.
+//!
+//! X and Y are counted in half pixels, because the middle of a picture of even width lies between
+//! two pixels. So they are whole numbers.
 
 use super::{Line, Pose, Vec3};
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 
 /// A pixel's column: its index, and its centre counted from the middle of the picture.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Column<S> {
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Column {
     /// 0 at the left.
     pub index: u32,
-    /// In pixels from the middle of the picture, positive to the right.
-    pub x: S,
+    /// In half pixels from the middle of the picture, positive to the right.
+    pub x: i32,
+}
+
+/// A number that changes by the same step from each half pixel to the next.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Affine<T> {
+    /// In the middle of the row.
+    pub middle: T,
+    /// What half a pixel to the right adds.
+    pub step: T,
+}
+
+impl<T: Real> Affine<T> {
+    /// The row, `y` half pixels below the middle, of what is given in the middle of the picture and
+    /// by its steps to the right and down.
+    #[inline]
+    #[must_use]
+    pub fn row([middle, right, down]: [T; 3], y: i32) -> Self {
+        Self { middle: middle.after_steps(down, y), step: right }
+    }
+
+    /// The number `x` half pixels to the right of the middle.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, x: i32) -> T {
+        self.middle.after_steps(self.step, x)
+    }
+
+    /// The same multiple of a number everywhere.
+    #[inline]
+    #[must_use]
+    pub fn times(&self, factor: T) -> Self {
+        Self { middle: self.middle * factor, step: self.step * factor }
+    }
 }
 
 /// The columns, from `start` to before `end`, outside of which a solid can't be seen in a row.
@@ -76,8 +112,8 @@ pub trait Rays: Copy {
     /// The number of columns.
     fn columns(&self) -> u32;
 
-    /// The ray through (x, y), in pixels from the middle of the picture.
-    fn line(&self, x: Self::Scalar, y: Self::Scalar) -> Line<Self::Scalar>;
+    /// The ray through (x, y), in half pixels from the middle of the picture.
+    fn line(&self, x: i32, y: i32) -> Line<Self::Scalar>;
 
     /// The smallest parameter that the camera sees.
     fn start(&self) -> Self::Scalar;
@@ -89,17 +125,31 @@ pub trait Rays: Copy {
 
 /// The rays of an orthographic picture: all parallel to `forward`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Parallel<S> {
+pub struct Parallel<S: Scalar> {
     /// What the middle of the picture shows.
-    pub center: Vec3<S>,
-    /// The step in the image plane from a pixel to its right neighbour.
-    pub right: Vec3<S>,
-    /// The step in the image plane from a pixel to the one below.
-    pub down: Vec3<S>,
+    pub center: Vec3<S::Fine>,
+    /// The step in the image plane to the right, over half a pixel.
+    pub right: Vec3<S::Fine>,
+    /// The step in the image plane downwards, over half a pixel.
+    pub down: Vec3<S::Fine>,
     /// The viewing direction, of length 1.
-    pub forward: Vec3<S>,
+    pub forward: Vec3<S::Fine>,
     /// The number of columns.
     pub columns: u32,
+}
+
+impl<S: Scalar> Parallel<S> {
+    /// The way in the image plane from the point `from` to the pixel.
+    fn offset(&self, from: Vec3<S::Fine>, x: i32, y: i32) -> Vec3<S::Fine> {
+        let steps = |from: S::Fine, right: S::Fine, down: S::Fine| {
+            from.after_steps(right, x).after_steps(down, y)
+        };
+        Vec3::new(
+            steps(from.x, self.right.x, self.down.x),
+            steps(from.y, self.right.y, self.down.y),
+            steps(from.z, self.right.z, self.down.z),
+        )
+    }
 }
 
 impl<S: Scalar> Rays for Parallel<S> {
@@ -109,8 +159,9 @@ impl<S: Scalar> Rays for Parallel<S> {
         self.columns
     }
 
-    fn line(&self, x: S, y: S) -> Line<S> {
-        Line { origin: self.center + self.right * x + self.down * y, direction: self.forward }
+    fn line(&self, x: i32, y: i32) -> Line<S> {
+        let origin = self.offset(self.center, x, y).map(S::from_fine);
+        Line { origin, direction: self.forward.map(S::from_fine) }
     }
 
     fn start(&self) -> S {
@@ -119,10 +170,10 @@ impl<S: Scalar> Rays for Parallel<S> {
 
     fn back_from(&self, pose: &Pose<S>) -> Self {
         Self {
-            center: pose.point_back(self.center),
-            right: pose.direction_back(self.right),
-            down: pose.direction_back(self.down),
-            forward: pose.direction_back(self.forward),
+            center: pose.point_back_fine(self.center),
+            right: pose.turned_back(self.right),
+            down: pose.turned_back(self.down),
+            forward: pose.turned_back(self.forward),
             columns: self.columns,
         }
     }
@@ -133,13 +184,13 @@ impl<S: Scalar> Rays for Parallel<S> {
 /// The ray of a pixel has the direction `forward + (X·right + Y·down)/distance`, so t is counted
 /// along the viewing direction and the eye lies at t = −`distance`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pencil<S> {
+pub struct Pencil<S: Scalar> {
     /// The steps of the image plane, as for parallel rays.
     pub plane: Parallel<S>,
     /// From the eye to the centre.
-    pub distance: S,
+    pub distance: S::Fine,
     /// 1/`distance`.
-    pub convergence: S,
+    pub convergence: S::Fine,
 }
 
 impl<S: Scalar> Rays for Pencil<S> {
@@ -149,16 +200,16 @@ impl<S: Scalar> Rays for Pencil<S> {
         self.plane.columns
     }
 
-    fn line(&self, x: S, y: S) -> Line<S> {
-        let offset = self.plane.right * x + self.plane.down * y;
+    fn line(&self, x: i32, y: i32) -> Line<S> {
+        let offset = self.plane.offset(Vec3::ZERO, x, y);
         Line {
-            origin: self.plane.center + offset,
-            direction: self.plane.forward + offset * self.convergence,
+            origin: (self.plane.center + offset).map(S::from_fine),
+            direction: (self.plane.forward + offset * self.convergence).map(S::from_fine),
         }
     }
 
     fn start(&self) -> S {
-        -self.distance
+        S::from_fine(-self.distance)
     }
 
     fn back_from(&self, pose: &Pose<S>) -> Self {

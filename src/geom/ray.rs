@@ -1,7 +1,7 @@
 //! A line with a parameter, and the ray that a caller asks about.
 
 use super::Vec3;
-use crate::scalar::Scalar;
+use crate::scalar::{Rebased, Scalar};
 
 /// A line `p(t) = origin + t · direction`, t from −∞ to +∞: what a solid is asked about.
 ///
@@ -35,20 +35,27 @@ pub enum RayError {
     ZeroDirection,
     /// The origin is farther from the scene's than [`Scalar::REACH`].
     TooFar,
+    /// The largest coordinate of the direction is not between [`Scalar::SHORTEST`] and
+    /// [`Scalar::LONGEST`]. In fixed point, parameters would not fit the number type; floating point
+    /// takes every length.
+    DirectionLength,
 }
 
 crate::error_text!(RayError {
     NotFinite => "a coordinate of the ray is infinite or not a number",
     ZeroDirection => "the direction of the ray is zero",
     TooFar => "the ray starts too far away for its number type",
+    DirectionLength => "the direction of the ray is too short or too long for its number type",
 });
 
 /// A ray `p(t) = origin + t · direction`, t ≥ 0, checked and made ready for any number of solids.
 ///
-/// Two things are done once for all solids: the direction is scaled by a power of two to a length
-/// between 1 and 4, so that directions of length 10⁻³⁰ or 10³⁰ are ordinary; and where the ray
-/// starts far from everything, its parameter is counted from the point nearest to the scene's
-/// origin instead, so that the distance doesn't use up the digits that the solids need.
+/// In floating point two things are done once for all solids: the direction is scaled by a power of
+/// two to a length between 1 and 4, so that directions of length 10⁻³⁰ or 10³⁰ are ordinary; and
+/// where the ray starts far from everything, its parameter is counted from the point nearest to the
+/// scene's origin instead, so that the distance doesn't use up the digits that the solids need.
+/// Fixed point needs neither.
+///
 /// Parameters handed to the caller are always those of the ray as it was given.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -61,11 +68,12 @@ pub struct Ray<S> {
 }
 
 impl<S: Scalar> Ray<S> {
-    /// A ray from `origin` along `direction`, which may have any length but zero.
+    /// A ray from `origin` along `direction`, which may have any length but zero; in fixed point,
+    /// its largest coordinate must be 1/2 or more.
     ///
     /// # Errors
     /// [`RayError::NotFinite`] for infinite or NaN coordinates, [`RayError::ZeroDirection`],
-    /// [`RayError::TooFar`].
+    /// [`RayError::TooFar`], [`RayError::DirectionLength`].
     pub fn new(origin: Vec3<S>, direction: Vec3<S>) -> Result<Self, RayError> {
         if !origin.is_finite() || !direction.is_finite() {
             return Err(RayError::NotFinite);
@@ -77,10 +85,13 @@ impl<S: Scalar> Ray<S> {
         if largest <= S::ZERO {
             return Err(RayError::ZeroDirection);
         }
-        let scale = largest.normalizing_power();
-        let direction = direction * scale;
-        let (origin, offset) = rebase(origin, direction);
-        Ok(Self { line: Line { origin, direction }, offset, scale })
+        if !(S::SHORTEST <= largest && largest <= S::LONGEST) {
+            return Err(RayError::DirectionLength);
+        }
+        let Rebased { origin, direction, offset, scale } =
+            S::rebased(origin.to_array(), direction.to_array());
+        let line = Line { origin: Vec3::from(origin), direction: Vec3::from(direction) };
+        Ok(Self { line, offset, scale })
     }
 
     /// The line that the ray lies on, with a parameter of its own.
@@ -92,34 +103,12 @@ impl<S: Scalar> Ray<S> {
     /// The line's parameter at the start of the ray.
     #[must_use]
     pub fn start(&self) -> S {
-        -self.offset
+        self.offset.negated()
     }
 
     /// The ray's parameter for a parameter of its line.
     #[must_use]
     pub fn parameter(&self, of_line: S) -> S {
-        (of_line + self.offset) * self.scale
+        of_line.plus(self.offset).times(self.scale)
     }
-}
-
-/// Moves the origin to about the point of the line nearest to (0, 0, 0), if that is much nearer.
-///
-/// Returns the new origin and the parameter at which it lies. The moved point's only error is
-/// the rounding of its coordinates, so moving pays when the old coordinates are much larger.
-fn rebase<S: Scalar>(origin: Vec3<S>, direction: Vec3<S>) -> (Vec3<S>, S) {
-    // 256: from nearer by, the crossings' own rounding errors outweigh those of the coordinates,
-    // and what lies near the ray's start would lose digits to the shift.
-    let is_far = |near: Vec3<S>| origin.max_abs() > near.max_abs() * S::from_halves(2 * 256);
-    let speed_squared = direction.length_squared();
-    let roughly = -(origin.dot(direction) / speed_squared);
-    if !is_far(origin + direction * roughly) {
-        return (origin, S::ZERO);
-    }
-    let offset = -(origin.dot_compensated(direction) / speed_squared);
-    let moved = Vec3::new(
-        S::add_product(origin.x, offset, direction.x),
-        S::add_product(origin.y, offset, direction.y),
-        S::add_product(origin.z, offset, direction.z),
-    );
-    if is_far(moved) && moved.is_finite() { (moved, offset) } else { (origin, S::ZERO) }
 }

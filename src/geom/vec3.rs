@@ -1,6 +1,6 @@
 //! Vectors and points of three coordinates.
 
-use crate::scalar::Scalar;
+use crate::scalar::{Check, FixedI32, Fraction, Number, Real, Scalar};
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// A vector or a point in space, in the units of the scene.
@@ -35,9 +35,9 @@ impl<S: Copy> Vec3<S> {
     }
 }
 
-impl<S: Scalar> Vec3<S> {
+impl<T: Number> Vec3<T> {
     /// The origin, or the vector of no length.
-    pub const ZERO: Self = Self::new(S::ZERO, S::ZERO, S::ZERO);
+    pub const ZERO: Self = Self::new(T::ZERO, T::ZERO, T::ZERO);
 
     /// Whether no coordinate is infinite or NaN.
     #[must_use]
@@ -45,18 +45,41 @@ impl<S: Scalar> Vec3<S> {
         self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
     }
 
-    /// The scalar product in plain arithmetic: error up to 2 ulp of the largest term.
+    /// The scalar product: in floating point in plain arithmetic, with an error up to 2 ulp of
+    /// the largest term; in fixed point rounded once.
     #[must_use]
     #[inline]
-    pub fn dot(self, other: Self) -> S {
-        self.x * other.x + self.y * other.y + self.z * other.z
+    pub fn dot(self, other: Self) -> T {
+        T::dot(self.to_array(), other.to_array())
     }
 
+    /// The square of the length.
+    #[must_use]
+    #[inline]
+    pub fn length_squared(self) -> T {
+        self.dot(self)
+    }
+
+    /// The largest absolute value of a coordinate.
+    #[must_use]
+    pub fn max_abs(self) -> T {
+        self.x.abs().max(self.y.abs()).max(self.z.abs())
+    }
+
+    /// The same operation on every coordinate.
+    #[must_use]
+    #[inline]
+    pub fn map<U>(self, of: impl Fn(T) -> U) -> Vec3<U> {
+        Vec3 { x: of(self.x), y: of(self.y), z: of(self.z) }
+    }
+}
+
+impl<T: Real> Vec3<T> {
     /// The scalar product in twice the working precision: accurate also where terms cancel.
     #[must_use]
     #[inline]
-    pub fn dot_compensated(self, other: Self) -> S {
-        S::dot3(self.to_array(), other.to_array())
+    pub fn dot_compensated(self, other: Self) -> T {
+        T::dot3(self.to_array(), other.to_array())
     }
 
     /// The vector product; every coordinate is within 2 ulp, also for nearly parallel vectors.
@@ -64,23 +87,10 @@ impl<S: Scalar> Vec3<S> {
     #[inline]
     pub fn cross(self, other: Self) -> Self {
         Self::new(
-            S::product_difference(self.y, other.z, self.z, other.y),
-            S::product_difference(self.z, other.x, self.x, other.z),
-            S::product_difference(self.x, other.y, self.y, other.x),
+            T::product_difference(self.y, other.z, self.z, other.y),
+            T::product_difference(self.z, other.x, self.x, other.z),
+            T::product_difference(self.x, other.y, self.y, other.x),
         )
-    }
-
-    /// The square of the length.
-    #[must_use]
-    #[inline]
-    pub fn length_squared(self) -> S {
-        self.dot(self)
-    }
-
-    /// The largest absolute value of a coordinate.
-    #[must_use]
-    pub fn max_abs(self) -> S {
-        self.x.abs().max(self.y.abs()).max(self.z.abs())
     }
 
     /// The vector of length 1 in this direction, or `None` for a vector that has none: zero, or
@@ -89,7 +99,7 @@ impl<S: Scalar> Vec3<S> {
     pub fn normalized(self) -> Option<Self> {
         let scaled = self.scaled_to_one();
         let length = scaled.length_squared().positive()?.sqrt();
-        self.is_finite().then(|| scaled * (S::ONE / length))
+        self.is_finite().then(|| scaled * (T::ONE / length))
     }
 
     /// The vector times a power of two, which is exact, so that its largest coordinate comes to
@@ -100,51 +110,68 @@ impl<S: Scalar> Vec3<S> {
     }
 }
 
-/// What constructors check, for constants: traits have no `const` methods yet.
+impl<S: Scalar> Vec3<S> {
+    /// The same vector with more digits.
+    pub(crate) fn fine(self) -> Vec3<S::Fine> {
+        self.map(S::fine)
+    }
+}
+
+/// What constructors check, for constants.
 macro_rules! checks {
-    ($($Float:ident),+) => {$(
-        impl Vec3<$Float> {
+    ($([$($generics:tt)*] $Scalar:ty),+) => {$(
+        impl<$($generics)*> Vec3<$Scalar> {
             pub(crate) const fn has_finite_coordinates(self) -> bool {
-                self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
+                Check::<$Scalar>::is_finite(self.x)
+                    && Check::<$Scalar>::is_finite(self.y)
+                    && Check::<$Scalar>::is_finite(self.z)
             }
 
             pub(crate) const fn is_within_reach(self) -> bool {
-                self.x.abs().max(self.y.abs()).max(self.z.abs()) <= <$Float>::REACH
+                Check::<$Scalar>::is_within_reach(self.x)
+                    && Check::<$Scalar>::is_within_reach(self.y)
+                    && Check::<$Scalar>::is_within_reach(self.z)
             }
         }
     )+};
 }
 
-checks!(f32, f64);
+checks!([] f32, [] f64, [F: Fraction] FixedI32<F>);
 
-impl<S: Scalar> Add for Vec3<S> {
+impl<T> From<[T; 3]> for Vec3<T> {
+    fn from([x, y, z]: [T; 3]) -> Self {
+        Self { x, y, z }
+    }
+}
+
+impl<T: Number> Add for Vec3<T> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
-        Self::new(self.x + other.x, self.y + other.y, self.z + other.z)
+        Self::new(self.x.plus(other.x), self.y.plus(other.y), self.z.plus(other.z))
     }
 }
 
-impl<S: Scalar> Sub for Vec3<S> {
+impl<T: Number> Sub for Vec3<T> {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
-        Self::new(self.x - other.x, self.y - other.y, self.z - other.z)
+        Self::new(self.x.minus(other.x), self.y.minus(other.y), self.z.minus(other.z))
     }
 }
 
-impl<S: Scalar> Mul<S> for Vec3<S> {
+impl<T: Number> Mul<T> for Vec3<T> {
     type Output = Self;
     #[inline]
-    fn mul(self, factor: S) -> Self {
-        Self::new(self.x * factor, self.y * factor, self.z * factor)
+    fn mul(self, factor: T) -> Self {
+        self.map(|coordinate| coordinate.times(factor))
     }
 }
 
-impl<S: Scalar> Neg for Vec3<S> {
+impl<T: Number> Neg for Vec3<T> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
-        Self::new(-self.x, -self.y, -self.z)
+        self.map(T::negated)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Size;
 use crate::geom::{Parallel, Pencil, Rays, Vec3};
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Real, Scalar};
 
 /// A camera that can hand out the rays of a picture.
 pub trait Camera {
@@ -29,7 +29,7 @@ pub enum CameraError {
     UpAlongView,
     /// The frame height is not a positive finite number.
     FrameHeight,
-    /// The field of view is not between 0 and π.
+    /// The field of view is not between 0 and π, or so near to π that the frame has no size.
     FieldOfView,
 }
 
@@ -45,15 +45,19 @@ crate::error_text!(CameraError {
 /// Where a camera looks, as a right-handed frame of unit vectors: right, down, forward.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-struct Gaze<S> {
-    target: Vec3<S>,
-    right: Vec3<S>,
-    down: Vec3<S>,
-    forward: Vec3<S>,
+struct Gaze<T> {
+    target: Vec3<T>,
+    right: Vec3<T>,
+    down: Vec3<T>,
+    forward: Vec3<T>,
 }
 
-impl<S: Scalar> Gaze<S> {
-    fn new(target: Vec3<S>, along: Vec3<S>, up: Vec3<S>) -> Result<Self, CameraError> {
+impl<T: Real> Gaze<T> {
+    fn new<S: Scalar<Fine = T>>(
+        target: Vec3<S>,
+        along: Vec3<T>,
+        up: Vec3<S>,
+    ) -> Result<Self, CameraError> {
         if !(target.is_finite() && along.is_finite() && up.is_finite()) {
             return Err(CameraError::NotFinite);
         }
@@ -62,26 +66,28 @@ impl<S: Scalar> Gaze<S> {
         }
         let forward = along.normalized().ok_or(CameraError::ZeroDirection)?;
         // Not of the unit vectors: their rounding would hide that the two are parallel.
-        let right = along.scaled_to_one().cross(up.scaled_to_one());
+        let right = along.scaled_to_one().cross(up.fine().scaled_to_one());
         let right = right.normalized().ok_or(CameraError::UpAlongView)?;
-        Ok(Self { target, right, down: forward.cross(right), forward })
+        Ok(Self { target: target.fine(), right, down: forward.cross(right), forward })
     }
 
-    fn parallel(&self, frame_height: S, size: Size) -> Parallel<S> {
-        let pitch = frame_height / S::from_halves(2 * i32::from(size.height()));
+    fn parallel<S: Scalar<Fine = T>>(&self, frame_height: T, size: Size) -> Parallel<S> {
+        let half_pitch = frame_height / T::from_int(2 * i32::from(size.height()));
         Parallel {
             center: self.target,
-            right: self.right * pitch,
-            down: self.down * pitch,
+            right: self.right * half_pitch,
+            down: self.down * half_pitch,
             forward: self.forward,
             columns: u32::from(size.width()),
         }
     }
 }
 
-fn checked_height<S: Scalar>(frame_height: S) -> Result<S, CameraError> {
-    let is_positive = frame_height > S::ZERO && (S::ONE / frame_height).is_finite();
-    if is_positive && frame_height.is_finite() {
+/// Fixed-point numbers stop at the end of their range, which makes a frame as high as that one
+/// that can't be.
+fn checked_height<S: Scalar>(frame_height: S::Fine) -> Result<S::Fine, CameraError> {
+    let is_positive = frame_height > S::Fine::ZERO && (S::Fine::ONE / frame_height).is_finite();
+    if is_positive && frame_height.is_finite() && frame_height < S::HIGHEST.fine() {
         Ok(frame_height)
     } else {
         Err(CameraError::FrameHeight)
@@ -91,9 +97,9 @@ fn checked_height<S: Scalar>(frame_height: S) -> Result<S, CameraError> {
 /// A camera infinitely far away: all its rays are parallel, and it sees whole lines.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Orthographic<S> {
-    gaze: Gaze<S>,
-    frame_height: S,
+pub struct Orthographic<S: Scalar> {
+    gaze: Gaze<S::Fine>,
+    frame_height: S::Fine,
 }
 
 impl<S: Scalar> Orthographic<S> {
@@ -108,7 +114,7 @@ impl<S: Scalar> Orthographic<S> {
         up: Vec3<S>,
         frame_height: S,
     ) -> Result<Self, CameraError> {
-        Self::look_along(target - eye, target, up, frame_height)
+        Self::looking(target.fine() - eye.fine(), target, up, frame_height)
     }
 
     /// A camera that looks along a direction, with `target` in the middle of its picture.
@@ -121,8 +127,17 @@ impl<S: Scalar> Orthographic<S> {
         up: Vec3<S>,
         frame_height: S,
     ) -> Result<Self, CameraError> {
+        Self::looking(direction.fine(), target, up, frame_height)
+    }
+
+    fn looking(
+        direction: Vec3<S::Fine>,
+        target: Vec3<S>,
+        up: Vec3<S>,
+        frame_height: S,
+    ) -> Result<Self, CameraError> {
         let gaze = Gaze::new(target, direction, up)?;
-        Ok(Self { gaze, frame_height: checked_height(frame_height)? })
+        Ok(Self { gaze, frame_height: checked_height::<S>(frame_height.fine())? })
     }
 }
 
@@ -137,11 +152,11 @@ impl<S: Scalar> Camera for Orthographic<S> {
 /// A camera at a point: rays run from its eye through the pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Perspective<S> {
-    gaze: Gaze<S>,
-    distance: S,
+pub struct Perspective<S: Scalar> {
+    gaze: Gaze<S::Fine>,
+    distance: S::Fine,
     /// In the plane through the target.
-    frame_height: S,
+    frame_height: S::Fine,
 }
 
 impl<S: Scalar> Perspective<S> {
@@ -158,21 +173,22 @@ impl<S: Scalar> Perspective<S> {
         up: Vec3<S>,
         field_of_view: S,
     ) -> Result<Self, CameraError> {
-        let gaze = Gaze::new(target, target - eye, up)?;
-        if !(S::ZERO < field_of_view && field_of_view < S::PI) {
+        let to_target = target.fine() - eye.fine();
+        let gaze = Gaze::new(target, to_target, up)?;
+        let field_of_view = field_of_view.fine();
+        if !(S::Fine::ZERO < field_of_view && field_of_view < S::Fine::PI) {
             return Err(CameraError::FieldOfView);
         }
-        let (sin, cos) = (field_of_view * S::from_halves(1)).sin_cos();
-        let distance = gaze.forward.dot_compensated(target - eye);
-        if distance > S::REACH {
+        let (sin, cos) = (field_of_view * S::Fine::HALF).sin_cos();
+        let distance = gaze.forward.dot_compensated(to_target);
+        if distance > S::REACH.fine() {
             return Err(CameraError::TooFar);
         }
-        let convergence = S::ONE / distance;
-        if !convergence.is_finite() {
+        if !(S::Fine::ONE / distance).is_finite() {
             return Err(CameraError::ZeroDirection);
         }
-        let frame_height = (distance + distance) * (sin / cos);
-        let frame_height = checked_height(frame_height).map_err(|_| CameraError::FieldOfView)?;
+        let frame_height = checked_height::<S>((distance + distance) * (sin / cos))
+            .map_err(|_| CameraError::FieldOfView)?;
         Ok(Self { gaze, distance, frame_height })
     }
 }
@@ -184,7 +200,7 @@ impl<S: Scalar> Camera for Perspective<S> {
         Pencil {
             plane: self.gaze.parallel(self.frame_height, size),
             distance: self.distance,
-            convergence: S::ONE / self.distance,
+            convergence: S::Fine::ONE / self.distance,
         }
     }
 }

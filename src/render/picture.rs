@@ -2,7 +2,7 @@
 
 use super::{Camera, Pixel, Shader, Size};
 use crate::geom::{Column, Extent, Line, Rays, Vec3};
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::solid::{Project, Rgb, Row, Seen, Shape, Solid, View, first_seen};
 use crate::span::{Face, Span, SpanList};
 use core::ops::Range;
@@ -106,9 +106,9 @@ where
     }
 }
 
-/// The centre of a pixel, counted from the middle of the picture.
-fn from_middle<S: Scalar>(index: u16, count: u16) -> S {
-    S::from_halves(2 * i32::from(index) + 1 - i32::from(count))
+/// The centre of a pixel, in half pixels from the middle of the picture.
+fn from_middle(index: u16, count: u16) -> i32 {
+    2 * i32::from(index) + 1 - i32::from(count)
 }
 
 /// Columns next to each other that are rendered together.
@@ -128,7 +128,7 @@ where
 {
     picture: &'p Picture<'a, T, R, H, P>,
     y: u16,
-    from_middle: T::Scalar,
+    from_middle: i32,
     row: <T::View<'a> as View>::Row<'p>,
 }
 
@@ -253,8 +253,8 @@ where
 pub struct Sample<'a, T: Shape, R> {
     solid: &'a T,
     rays: &'a R,
-    x: T::Scalar,
-    y: T::Scalar,
+    x: i32,
+    y: i32,
     /// The spans of the pixel's ray, also those behind the seen surface.
     pub spans: &'a [Span<T::Scalar>],
     /// The surface that is seen.
@@ -281,8 +281,8 @@ impl<T: Solid, R: Rays<Scalar = T::Scalar>> Sample<'_, T, R> {
         let start = self.rays.start();
         let inside = self.spans.iter().fold(T::Scalar::ZERO, |sum, span| {
             let enter = span.enter.t.max(start);
-            sum + (span.exit.t - enter).max(T::Scalar::ZERO)
+            sum.plus(span.exit.t.minus(enter).max(T::Scalar::ZERO))
         });
-        inside * self.line().direction.length_squared().sqrt()
+        inside.times(T::Scalar::length(self.line().direction.to_array()))
     }
 }

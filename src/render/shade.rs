@@ -2,7 +2,7 @@
 
 use super::Sample;
 use crate::geom::{Rays, Vec3};
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::solid::Solid;
 
 /// Turns what a pixel sees into a level, 0 (dark) to 255.
@@ -58,11 +58,15 @@ impl<S: Scalar> Lambert<S> {
     /// # Errors
     /// [`ShadeError::LightDirection`], [`ShadeError::Ambient`].
     pub fn new(to_light: Vec3<S>, ambient: S) -> Result<Self, ShadeError> {
-        let to_light = to_light.normalized().ok_or(ShadeError::LightDirection)?;
+        if !to_light.is_finite() {
+            return Err(ShadeError::LightDirection);
+        }
+        let to_light = to_light.fine().normalized().ok_or(ShadeError::LightDirection)?;
         if !(S::ZERO <= ambient && ambient <= S::ONE) {
             return Err(ShadeError::Ambient);
         }
-        Ok(Self { to_light, ambient, diffuse: S::ONE - ambient })
+        let to_light = to_light.map(S::from_fine);
+        Ok(Self { to_light, ambient, diffuse: S::ONE.minus(ambient) })
     }
 }
 
@@ -73,7 +77,7 @@ impl<S: Scalar> Shader<S> for Lambert<S> {
         R: Rays<Scalar = S>,
     {
         let cosine = sample.normal().dot(self.to_light);
-        (self.ambient + self.diffuse * cosine.max(S::ZERO)).to_level()
+        self.ambient.plus(self.diffuse.times(cosine.max(S::ZERO))).to_level()
     }
 }
 
@@ -83,10 +87,10 @@ impl<S: Scalar> Shader<S> for Lambert<S> {
 /// camera's target; nearer is negative.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Depth<S> {
+pub struct Depth<S: Scalar> {
     far: S,
     /// 1/(far − near).
-    inverse_range: S,
+    inverse_range: S::Factor,
 }
 
 impl<S: Scalar> Depth<S> {
@@ -95,9 +99,9 @@ impl<S: Scalar> Depth<S> {
     /// # Errors
     /// [`ShadeError::DepthRange`].
     pub fn new(near: S, far: S) -> Result<Self, ShadeError> {
-        let inverse_range = S::ONE / (far - near);
+        let inverse_range = S::Fine::ONE / (far.fine() - near.fine());
         if near < far && far.is_finite() && near.is_finite() && inverse_range.is_finite() {
-            Ok(Self { far, inverse_range })
+            Ok(Self { far, inverse_range: S::factor(inverse_range) })
         } else {
             Err(ShadeError::DepthRange)
         }
@@ -110,7 +114,7 @@ impl<S: Scalar> Shader<S> for Depth<S> {
         T: Solid<Scalar = S>,
         R: Rays<Scalar = S>,
     {
-        ((self.far - sample.seen.t) * self.inverse_range).to_level()
+        self.far.minus(sample.seen.t).scaled(self.inverse_range).to_level()
     }
 }
 
@@ -119,9 +123,9 @@ impl<S: Scalar> Shader<S> for Depth<S> {
 /// orthographic camera inside an endless slab, looking along it, shows the background.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct XRay<S> {
+pub struct XRay<S: Scalar> {
     /// 1/thickness.
-    inverse_thickness: S,
+    inverse_thickness: S::Factor,
 }
 
 impl<S: Scalar> XRay<S> {
@@ -130,9 +134,9 @@ impl<S: Scalar> XRay<S> {
     /// # Errors
     /// [`ShadeError::Thickness`].
     pub fn new(thickness: S) -> Result<Self, ShadeError> {
-        let inverse_thickness = S::ONE / thickness;
+        let inverse_thickness = S::Fine::ONE / thickness.fine();
         if thickness > S::ZERO && thickness.is_finite() && inverse_thickness.is_finite() {
-            Ok(Self { inverse_thickness })
+            Ok(Self { inverse_thickness: S::factor(inverse_thickness) })
         } else {
             Err(ShadeError::Thickness)
         }
@@ -145,6 +149,6 @@ impl<S: Scalar> Shader<S> for XRay<S> {
         T: Solid<Scalar = S>,
         R: Rays<Scalar = S>,
     {
-        (sample.path_length() * self.inverse_thickness).to_level()
+        sample.path_length().scaled(self.inverse_thickness).to_level()
     }
 }

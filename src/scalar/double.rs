@@ -1,6 +1,6 @@
 //! Unevaluated sums of two numbers: twice the working precision where a difference cancels.
 
-use super::{Scalar, two_sum};
+use super::float::{Float, two_sum};
 
 /// `high + low`, where `low` is at most half a unit in the last place of `high`.
 ///
@@ -14,7 +14,7 @@ pub(crate) struct Double<S> {
     pub(crate) low: S,
 }
 
-impl<S: Scalar> Double<S> {
+impl<S: Float> Double<S> {
     /// A number as it is.
     #[inline]
     pub(crate) fn from(high: S) -> Self {
@@ -93,7 +93,7 @@ impl<S: Scalar> Double<S> {
 
 /// The sum of two numbers, the first of which is the larger, and its rounding error.
 #[inline]
-fn quick_two_sum<S: Scalar>(large: S, small: S) -> (S, S) {
+fn quick_two_sum<S: Float>(large: S, small: S) -> (S, S) {
     let sum = large + small;
     (sum, small - (sum - large))
 }

@@ -1,13 +1,25 @@
 //! [`Scalar`] for `f32` and `f64`, and their error-free transformations.
 
-use super::Scalar;
+use super::number::sealed::Sealed;
+use super::rebase::{Rebased, rebased};
+use super::{Chord, Number, Real, Scalar};
+
+/// A binary floating-point number.
+pub trait Float: Real + Scalar<Unit = Self, Fine = Self, Factor = Self> {
+    /// The product and its rounding error, exactly: `a·b = product + error`.
+    fn two_product(a: Self, b: Self) -> (Self, Self);
+
+    /// `a + b·c` with the product's rounding error added back: the result's only error is the
+    /// rounding of the sums.
+    fn add_product(a: Self, b: Self, c: Self) -> Self;
+}
 
 /// The sum of two numbers and its rounding error, exactly: `a + b = sum + error`.
 ///
 /// Knuth, *The Art of Computer Programming* vol. 2, section 4.2.2, theorem B. Exact for all
 /// finite inputs whose sum does not overflow.
 #[inline]
-pub(crate) fn two_sum<S: Scalar>(a: S, b: S) -> (S, S) {
+pub(crate) fn two_sum<S: Float>(a: S, b: S) -> (S, S) {
     let sum = a + b;
     let b_rounded = sum - a;
     let a_rounded = sum - b_rounded;
@@ -51,7 +63,7 @@ use two_product_wide as two_product_f32;
 /// analysis of Kahan's algorithm for the accurate computation of 2×2 determinants*, Mathematics
 /// of Computation 82 (2013), section 4, with both products' errors kept.
 #[inline]
-fn product_difference<S: Scalar>(a: S, b: S, c: S, d: S) -> S {
+fn product_difference<S: Float>(a: S, b: S, c: S, d: S) -> S {
     let (ab, ab_error) = S::two_product(a, b);
     let (cd, cd_error) = S::two_product(c, d);
     (ab - cd) + (ab_error - cd_error)
@@ -60,7 +72,7 @@ fn product_difference<S: Scalar>(a: S, b: S, c: S, d: S) -> S {
 /// The sum of three products in twice the working precision: algorithm `Dot2` of Ogita, Rump and
 /// Oishi, *Accurate sum and dot product*, SIAM Journal on Scientific Computing 26 (2005).
 #[inline]
-fn dot3<S: Scalar>(x: [S; 3], y: [S; 3]) -> S {
+fn dot3<S: Float>(x: [S; 3], y: [S; 3]) -> S {
     let (p0, e0) = S::two_product(x[0], y[0]);
     let (p1, e1) = S::two_product(x[1], y[1]);
     let (p2, e2) = S::two_product(x[2], y[2]);
@@ -69,8 +81,14 @@ fn dot3<S: Scalar>(x: [S; 3], y: [S; 3]) -> S {
     s + (((e0 + e1) + f1) + (e2 + f2))
 }
 
+/// `x·y`, added up from the first coordinate on.
+#[inline]
+fn sum_of_products<S: Float, const N: usize>(x: [S; N], y: [S; N]) -> S {
+    x.into_iter().zip(y).fold(S::ZERO, |sum, (x, y)| sum + x * y)
+}
+
 /// A binary floating-point number that can be split into two halves of its precision.
-trait Split: Scalar {
+trait Split: Float {
     /// High and low half: `self = high + low` exactly, and products of halves are exact.
     fn split(self) -> (Self, Self);
 }
@@ -86,29 +104,35 @@ macro_rules! float {
             }
         }
 
-        impl Scalar for $Float {
+        impl Sealed for $Float {}
+
+        impl Number for $Float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
-            const LOWEST: Self = $Float::NEG_INFINITY;
-            const HIGHEST: Self = $Float::INFINITY;
-            const REACH: Self = $reach;
-            const FINEST: Self = $finest;
-            const PI: Self = core::$Float::consts::PI;
-            const EPSILON: Self = $Float::EPSILON;
 
             #[inline]
-            fn from_halves(halves: i32) -> Self {
-                halves as $Float * 0.5
+            fn plus(self, other: Self) -> Self {
+                self + other
             }
 
             #[inline]
-            fn floor_to_i32(self) -> i32 {
-                $floor(self) as i32
+            fn minus(self, other: Self) -> Self {
+                self - other
             }
 
             #[inline]
-            fn to_level(self) -> u8 {
-                (self * 255.0 + 0.5) as u8
+            fn times(self, other: Self) -> Self {
+                self * other
+            }
+
+            #[inline]
+            fn negated(self) -> Self {
+                -self
+            }
+
+            #[inline]
+            fn abs(self) -> Self {
+                $Float::abs(self)
             }
 
             #[inline]
@@ -117,13 +141,30 @@ macro_rules! float {
             }
 
             #[inline]
-            fn is_normal(self) -> bool {
-                $Float::is_normal(self)
+            fn dot(x: [Self; 3], y: [Self; 3]) -> Self {
+                x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
+            }
+        }
+
+        impl Real for $Float {
+            const PI: Self = core::$Float::consts::PI;
+            const HALF: Self = 0.5;
+            const EPSILON: Self = $Float::EPSILON;
+            const QUANTUM: Self = 0.0;
+
+            #[inline]
+            fn from_int(whole: i32) -> Self {
+                whole as $Float
             }
 
             #[inline]
-            fn abs(self) -> Self {
-                $Float::abs(self)
+            fn floor_to_i32(self) -> i32 {
+                $floor(self) as i32
+            }
+
+            #[inline]
+            fn is_divisor(self) -> bool {
+                (self * self).is_normal()
             }
 
             #[inline]
@@ -146,8 +187,13 @@ macro_rules! float {
             }
 
             #[inline]
-            fn two_product(a: Self, b: Self) -> (Self, Self) {
-                $two_product(a, b)
+            fn after_steps(self, step: Self, count: i32) -> Self {
+                self + step * count as $Float
+            }
+
+            #[inline]
+            fn holds_steps(self, _: Self, _: i32) -> bool {
+                true
             }
 
             #[inline]
@@ -159,12 +205,130 @@ macro_rules! float {
             fn dot3(x: [Self; 3], y: [Self; 3]) -> Self {
                 dot3(x, y)
             }
+        }
+
+        impl Float for $Float {
+            #[inline]
+            fn two_product(a: Self, b: Self) -> (Self, Self) {
+                $two_product(a, b)
+            }
 
             #[inline]
             fn add_product(a: Self, b: Self, c: Self) -> Self {
                 let (product, product_error) = Self::two_product(b, c);
                 let (sum, sum_error) = two_sum(a, product);
                 sum + (sum_error + product_error)
+            }
+        }
+
+        impl Scalar for $Float {
+            type Unit = Self;
+            type Fine = Self;
+            type Factor = Self;
+
+            const LOWEST: Self = $Float::NEG_INFINITY;
+            const HIGHEST: Self = $Float::INFINITY;
+            const REACH: Self = $reach;
+            const FINEST: Self = $finest;
+            const SHORTEST: Self = 0.0;
+            const LONGEST: Self = $Float::MAX;
+
+            #[inline]
+            fn fine(self) -> Self {
+                self
+            }
+
+            #[inline]
+            fn from_fine(fine: Self) -> Self {
+                fine
+            }
+
+            #[inline]
+            fn unit(fine: Self) -> Self {
+                fine
+            }
+
+            #[inline]
+            fn fine_unit(unit: Self) -> Self {
+                unit
+            }
+
+            #[inline]
+            fn times_unit(self, unit: Self) -> Self {
+                self * unit
+            }
+
+            #[inline]
+            fn dot_unit(vector: [Self; 3], direction: [Self; 3]) -> Self {
+                dot3(vector, direction)
+            }
+
+            #[inline]
+            fn factor(fine: Self) -> Self {
+                fine
+            }
+
+            #[inline]
+            fn scaled(self, factor: Self) -> Self {
+                self * factor
+            }
+
+            #[inline]
+            fn quotients([one, other]: [Self; 2], denominator: Self) -> [Self; 2] {
+                [one / denominator, other / denominator]
+            }
+
+            #[inline]
+            fn leg(hypotenuse: Self, leg: Self) -> Option<Self> {
+                (hypotenuse * hypotenuse - leg * leg).positive().map(Real::sqrt)
+            }
+
+            #[inline]
+            fn chord<const K: usize, const N: usize>(
+                radius: Self,
+                k: [Self; K],
+                q: [Self; N],
+                m: [Self; N],
+            ) -> Chord<Self> {
+                let a = sum_of_products(m, m);
+                if !a.is_normal() {
+                    return Chord::Along;
+                }
+                let discriminant = radius * radius * a - sum_of_products(k, k);
+                if !(discriminant > 0.0) {
+                    return Chord::Beside;
+                }
+                let inverse = 1.0 / a;
+                let middle = -sum_of_products(q, m) * inverse;
+                let half = Real::sqrt(discriminant) * inverse;
+                Chord::Between(middle - half, middle + half)
+            }
+
+            #[inline]
+            fn length(vector: [Self; 3]) -> Self {
+                Real::sqrt(Self::dot(vector, vector))
+            }
+
+            #[inline]
+            fn with_length(vector: [Self; 3], length: Self) -> [Self; 3] {
+                let factor = length / Self::length(vector);
+                vector.map(|coordinate| coordinate * factor)
+            }
+
+            #[inline]
+            fn divided(vector: [Self; 3], by: Self) -> [Self; 3] {
+                let inverse = 1.0 / by;
+                vector.map(|coordinate| coordinate * inverse)
+            }
+
+            #[inline]
+            fn to_level(self) -> u8 {
+                (self * 255.0 + 0.5) as u8
+            }
+
+            #[inline]
+            fn rebased(origin: [Self; 3], direction: [Self; 3]) -> Rebased<Self> {
+                rebased(origin, direction)
             }
         }
     };

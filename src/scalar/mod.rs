@@ -1,123 +1,137 @@
 //! The number types that everything else is generic over.
 //!
 //! [`Scalar`] is sealed: `f32` is what firmware with a floating-point unit (and most hosts) should
-//! use, `f64` is there for reference runs on hosts. Both always compile side by side; a scene
-//! chooses by the type of its numbers.
+//! use; [`FixedI32`], and of its formats [`I16F16`] first of all, is for cores without one; `f64`
+//! is there for reference runs on hosts. All always compile side by side; a scene chooses by the
+//! type of its numbers.
 //!
 //! Results have the same bits on every target. So nothing here calls a platform's maths library,
 //! contracts a product and a sum, or leaves the order of operations open.
 
+mod check;
 mod double;
+mod factor;
+mod fine;
+mod fixed;
 mod float;
+mod number;
+mod rebase;
 mod root;
+pub(crate) mod whole;
 
+pub use self::factor::Factor;
+pub use self::fine::Fine;
+pub use self::number::{Number, Real};
+pub use ::fixed::FixedI32;
+pub use ::fixed::types::I16F16;
+
+pub(crate) use self::check::{Check, Stretch};
 pub(crate) use self::double::Double;
-pub(crate) use self::float::two_sum;
-pub(crate) use self::root::sqrt as const_sqrt;
+pub(crate) use self::fixed::Fraction;
+pub(crate) use self::float::Float;
+pub(crate) use self::rebase::Rebased;
 
 use core::fmt::Debug;
-use core::ops::{Add, Div, Mul, Neg, Sub};
 
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for f32 {}
-    impl Sealed for f64 {}
-}
+/// A number type that scenes, cameras and rows can be made of: coordinates, lengths and the
+/// parameters of lines.
+///
+/// What else a picture needs are numbers of other sizes. In floating point they are all of the
+/// scene's own type; in fixed point each has its own.
+pub trait Scalar: Number {
+    /// A number of about the size of 1: a coordinate of a direction.
+    type Unit: Number;
+    /// A number with more digits behind the point: for the set-up of views, and for what is added
+    /// up from pixel to pixel.
+    type Fine: Real;
+    /// A positive factor of any size.
+    type Factor: Copy + Debug + PartialEq;
 
-/// A number type that scenes, cameras and rows can be made of.
-pub trait Scalar:
-    sealed::Sealed
-    + Copy
-    + Debug
-    + PartialOrd
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
-    + 'static
-{
-    /// 0.
-    const ZERO: Self;
-    /// 1.
-    const ONE: Self;
     /// Below every parameter of a crossing: −∞ where the type has it.
     const LOWEST: Self;
     /// Above every parameter of a crossing: +∞ where the type has it.
     const HIGHEST: Self;
-    /// The largest coordinate and radius: 10¹⁵ for `f32`, 10⁶⁰ for `f64`. Up to there no square of a
-    /// product overflows. Beyond, constructors return errors.
+    /// The largest coordinate and radius: 10¹⁵ for `f32`, 10⁶⁰ for `f64`, 4096 for [`I16F16`] and
+    /// 2²⁸ units for all fixed point. Up to there nothing overflows. Beyond, constructors return
+    /// errors.
     const REACH: Self;
-    /// The smallest radius: 10⁻¹² for `f32`, 10⁻⁶⁰ for `f64`. Down to there the rounding errors of
-    /// squares can be represented. Below, constructors return errors.
+    /// The smallest radius: 10⁻¹² for `f32`, 10⁻⁶⁰ for `f64`, one unit in fixed point. Below,
+    /// constructors return errors.
     const FINEST: Self;
-    /// π, rounded.
-    const PI: Self;
-    /// The distance from 1 to the next larger number.
-    const EPSILON: Self;
+    /// The largest coordinate of a ray's direction must be at least this: 0 in floating point,
+    /// 1/2 in fixed point, so that the parameters of everything within reach can be represented.
+    const SHORTEST: Self;
+    /// The largest coordinate of a ray's direction may be this: 2³⁰ units in fixed point.
+    const LONGEST: Self;
 
-    /// `halves / 2`, exactly; for pixel centres.
-    fn from_halves(halves: i32) -> Self;
+    /// The same number with more digits; exact.
+    fn fine(self) -> Self::Fine;
 
-    /// The largest whole number ≤ `self`, held inside the range of `i32`; 0 for NaN.
-    fn floor_to_i32(self) -> i32;
+    /// The nearest number, within the range of parameters.
+    fn from_fine(fine: Self::Fine) -> Self;
+
+    /// The nearest number of the size of 1.
+    fn unit(fine: Self::Fine) -> Self::Unit;
+
+    /// The same number with more digits; exact.
+    fn fine_unit(unit: Self::Unit) -> Self::Fine;
+
+    /// `self · unit`, rounded once.
+    #[must_use]
+    fn times_unit(self, unit: Self::Unit) -> Self;
+
+    /// The scalar product with a direction: in twice the working precision, then rounded.
+    fn dot_unit(vector: [Self; 3], direction: [Self::Unit; 3]) -> Self;
+
+    /// A number ≥ 0 as a factor.
+    fn factor(fine: Self::Fine) -> Self::Factor;
+
+    /// `self · factor`.
+    #[must_use]
+    fn scaled(self, factor: Self::Factor) -> Self;
+
+    /// `numerators / denominator`; not for a denominator of 0.
+    fn quotients(numerators: [Self::Fine; 2], denominator: Self::Fine) -> [Self; 2];
+
+    /// A leg of a right triangle: `√(hypotenuse² − leg²)`, or `None` if that is not positive.
+    fn leg(hypotenuse: Self, leg: Self) -> Option<Self>;
+
+    /// Where the line `q + t·m` is within `radius` of the origin.
+    ///
+    /// `k` is the vector product of q and m, which the caller knows with fewer rounding errors;
+    /// in two dimensions it has one coordinate. With a = |m|² the middle is t = −q·m/a, and the
+    /// half-chord `√(r²a − |k|²)/a`.
+    fn chord<const K: usize, const N: usize>(
+        radius: Self,
+        k: [Self; K],
+        q: [Self; N],
+        m: [Self::Unit; N],
+    ) -> Chord<Self>;
+
+    /// The length of a vector.
+    fn length(vector: [Self; 3]) -> Self;
+
+    /// The vector of this length in the direction of another one, which is not zero.
+    fn with_length(vector: [Self; 3], length: Self) -> [Self; 3];
+
+    /// A vector divided by a positive number.
+    fn divided(vector: [Self; 3], by: Self) -> [Self; 3];
 
     /// `self` on the scale 0..=255, rounded to nearest; below 0 is 0, above 1 is 255, NaN is 0.
     fn to_level(self) -> u8;
 
-    /// Whether the number is neither infinite nor NaN.
-    fn is_finite(self) -> bool;
+    /// A line with another parameter, in which the numbers stay small; see [`Rebased`].
+    #[doc(hidden)]
+    fn rebased(origin: [Self; 3], direction: [Self; 3]) -> Rebased<Self>;
+}
 
-    /// Whether the number is finite and large enough to have all its digits: not zero, subnormal,
-    /// infinite or NaN.
-    fn is_normal(self) -> bool;
-
-    /// The absolute value.
-    #[must_use]
-    fn abs(self) -> Self;
-
-    /// The square root, correctly rounded; NaN below zero.
-    #[must_use]
-    fn sqrt(self) -> Self;
-
-    /// Sine and cosine of an angle in radians.
-    fn sin_cos(self) -> (Self, Self);
-
-    /// A power of two that brings a positive finite number to [1, 2), or as near as the type's
-    /// range allows.
-    #[must_use]
-    fn normalizing_power(self) -> Self;
-
-    /// The product and its rounding error, exactly: `a·b = product + error`.
-    fn two_product(a: Self, b: Self) -> (Self, Self);
-
-    /// `a·b − c·d` with an error of at most 2 units in the last place of the result, also where
-    /// the two products nearly cancel.
-    fn product_difference(a: Self, b: Self, c: Self, d: Self) -> Self;
-
-    /// `x·y` summed over three pairs, as if computed in twice the working precision and then
-    /// rounded.
-    fn dot3(x: [Self; 3], y: [Self; 3]) -> Self;
-
-    /// `a + b·c` with the product's rounding error added back: the result's only error is the
-    /// rounding of the sums.
-    fn add_product(a: Self, b: Self, c: Self) -> Self;
-
-    /// `self` if it is above zero: not for zero, and not for NaN.
-    #[inline]
-    fn positive(self) -> Option<Self> {
-        (self > Self::ZERO).then_some(self)
-    }
-
-    /// The smaller of two numbers; `self` if either is NaN.
-    #[must_use]
-    fn min(self, other: Self) -> Self {
-        if other < self { other } else { self }
-    }
-
-    /// The larger of two numbers; `self` if either is NaN.
-    #[must_use]
-    fn max(self, other: Self) -> Self {
-        if other > self { other } else { self }
-    }
+/// The part of a line within some distance of a point or an axis: see [`Scalar::chord`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Chord<S> {
+    /// None.
+    Beside,
+    /// Between two parameters, of which the first is the smaller.
+    Between(S, S),
+    /// The line has no direction here: m is zero, or too small to divide by its square.
+    Along,
 }

@@ -178,7 +178,7 @@ impl<O: Rule, L: View, R: View<Scalar = L::Scalar>> View for BooleanView<O, L, R
     where
         Self: 'a;
 
-    fn row(&self, y: L::Scalar) -> Self::Row<'_> {
+    fn row(&self, y: i32) -> Self::Row<'_> {
         let (left, right) = (self.0.left.row(y), self.0.right.row(y));
         let extent = if !O::OPERATION.needs_left() {
             left.extent().hull(right.extent())
@@ -206,7 +206,7 @@ impl<O: Rule, L: Row, R: Row<Scalar = L::Scalar>> Row for BooleanRow<O, L, R> {
         self.extent
     }
 
-    fn spans(&self, column: Column<L::Scalar>, first: Face, stack: &mut SpanStack<'_, L::Scalar>) {
+    fn spans(&self, column: Column, first: Face, stack: &mut SpanStack<'_, L::Scalar>) {
         let Boolean { left, right, .. } = &self.operands;
         combine(
             O::OPERATION,
@@ -221,7 +221,7 @@ impl<O: Rule, L: Row, R: Row<Scalar = L::Scalar>> Row for BooleanRow<O, L, R> {
 #[inline]
 pub(super) fn spans_inside<R: Row>(
     row: &R,
-    column: Column<R::Scalar>,
+    column: Column,
     first: Face,
     stack: &mut SpanStack<'_, R::Scalar>,
 ) {
@@ -256,8 +256,8 @@ macro_rules! operators {
 }
 
 operators! {
-    [S] Cylinder<S>,
-    [S] Slab<S>,
+    [S: Scalar] Cylinder<S>,
+    [S: Scalar] Slab<S>,
     [S] Sphere<S>,
     [T] Painted<T>,
     ['a, T: Shape] Placed<'a, T>,

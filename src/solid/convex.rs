@@ -113,7 +113,7 @@ impl<T: Convex, R: Rays<Scalar = T::Scalar>> View for ConvexView<'_, T, R> {
     where
         Self: 'a;
 
-    fn row(&self, y: T::Scalar) -> Self::Row<'_> {
+    fn row(&self, y: i32) -> Self::Row<'_> {
         Leaf { row: EveryPixel { view: self, y }, extent: Extent::all(self.rays.columns()) }
     }
 }
@@ -122,14 +122,14 @@ impl<T: Convex, R: Rays<Scalar = T::Scalar>> View for ConvexView<'_, T, R> {
 #[derive(Debug, Clone, Copy)]
 pub struct EveryPixel<'a, T: Convex, R> {
     view: &'a ConvexView<'a, T, R>,
-    y: T::Scalar,
+    y: i32,
 }
 
 impl<T: Convex, R: Rays<Scalar = T::Scalar>> ConvexRow for EveryPixel<'_, T, R> {
     type Scalar = T::Scalar;
     const FACES: u16 = T::FACES;
 
-    fn span(&self, x: T::Scalar) -> Option<Span<T::Scalar>> {
+    fn span(&self, x: i32) -> Option<Span<T::Scalar>> {
         self.view.solid.span(&self.view.rays.line(x, self.y)).and_then(Span::checked)
     }
 }

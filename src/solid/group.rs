@@ -104,7 +104,7 @@ impl<V: View, const N: usize> View for GroupView<V, N> {
     where
         Self: 'a;
 
-    fn row(&self, y: V::Scalar) -> Self::Row<'_> {
+    fn row(&self, y: i32) -> Self::Row<'_> {
         let rows = self.0.each_ref().map(|view| view.row(y));
         let extent = rows.iter().fold(Extent::EMPTY, |all, row| all.hull(row.extent()));
         GroupRow { rows, extent }
@@ -126,7 +126,7 @@ impl<R: Row, const N: usize> Row for GroupRow<R, N> {
         self.extent
     }
 
-    fn spans(&self, column: Column<R::Scalar>, first: Face, stack: &mut SpanStack<'_, R::Scalar>) {
+    fn spans(&self, column: Column, first: Face, stack: &mut SpanStack<'_, R::Scalar>) {
         unite(N, R::FACES, first, stack, |index, face, stack| {
             if let Some(row) = self.rows.get(index) {
                 spans_inside(row, column, face, stack);

@@ -31,8 +31,8 @@ pub trait View {
     where
         Self: 'a;
 
-    /// Gets ready for all columns of the row `y` pixels below the middle of the picture.
-    fn row(&self, y: Self::Scalar) -> Self::Row<'_>;
+    /// Gets ready for all columns of the row `y` half pixels below the middle of the picture.
+    fn row(&self, y: i32) -> Self::Row<'_>;
 }
 
 /// A solid, in one row of a picture.
@@ -47,12 +47,7 @@ pub trait Row {
 
     /// Pushes the spans of the pixel's ray with the solid, as
     /// [`Solid::spans`](super::Solid::spans) does for a line.
-    fn spans(
-        &self,
-        column: Column<Self::Scalar>,
-        first: Face,
-        stack: &mut SpanStack<'_, Self::Scalar>,
-    );
+    fn spans(&self, column: Column, first: Face, stack: &mut SpanStack<'_, Self::Scalar>);
 }
 
 /// A convex primitive in one row: at most one span in every column.
@@ -62,8 +57,8 @@ pub trait ConvexRow {
     /// As [`Row::FACES`].
     const FACES: u16;
 
-    /// The span of the pixel's ray, if there is one.
-    fn span(&self, x: Self::Scalar) -> Option<Span<Self::Scalar>>;
+    /// The span of the ray `x` half pixels to the right of the middle, if there is one.
+    fn span(&self, x: i32) -> Option<Span<Self::Scalar>>;
 }
 
 /// A leaf of the tree of rows: a convex primitive, and the columns in which it can be seen.
@@ -83,7 +78,7 @@ impl<R: ConvexRow> Row for Leaf<R> {
     }
 
     #[inline]
-    fn spans(&self, column: Column<R::Scalar>, first: Face, stack: &mut SpanStack<'_, R::Scalar>) {
+    fn spans(&self, column: Column, first: Face, stack: &mut SpanStack<'_, R::Scalar>) {
         if let Some(span) = self.row.span(column.x) {
             stack.put(span.with_faces_from(first));
         }

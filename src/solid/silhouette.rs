@@ -1,129 +1,127 @@
 //! The columns in which a row can meet a solid, from where a quadratic in X is not negative.
 
-use crate::geom::{Extent, Parallel, Pencil, Vec3};
-use crate::scalar::Scalar;
+use crate::geom::{Affine, Extent, Parallel, Pencil, Vec3};
+use crate::scalar::{Real, Scalar};
 
-/// A quadratic `c0 + c1·X + c2·X²` in the column, with the sizes of the terms that it was summed
-/// from: they bound the rounding errors, so that extents can be conservative.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Quadratic<S> {
-    coefficients: [S; 3],
-    sizes: [S; 3],
-    /// Lengths are multiplied by this power of two, so that squares neither overflow nor vanish.
-    scale: S,
-}
-
-impl<S: Scalar> Quadratic<S> {
-    /// Zero, for lengths of about the size of `radius`.
-    pub(super) fn zero(radius: S) -> Self {
-        let scale = radius.normalizing_power();
-        Self { coefficients: [S::ZERO; 3], sizes: [S::ZERO; 3], scale }
+/// The columns of a row in which `Σ plus² ≥ Σ minus²` may hold, for lengths that are affine in X.
+///
+/// With X from −1 to 1 over the row, and lengths scaled so that the largest is between 1 and 2, the
+/// rounding errors of coefficients and discriminant are at most some 16 units of the terms that
+/// they were summed from; 64 are allowed for, and a column on either side for the roots' own
+/// rounding. What fixed point lost when the lengths were rounded is added. Where the quadratic
+/// isn't clearly concave, or the errors' bound itself vanishes, all columns are returned.
+pub(super) fn extent<T: Real, const P: usize, const M: usize>(
+    plus: [Affine<T>; P],
+    minus: [Affine<T>; M],
+    columns: u32,
+) -> Extent {
+    let all = Extent::all(columns);
+    let reach = T::from_int(columns as i32);
+    let lengths = || plus.iter().chain(&minus);
+    let largest = lengths()
+        .map(|length| length.middle.abs() + length.step.abs() * reach)
+        .fold(T::ZERO, T::max);
+    if largest <= T::ZERO || !largest.is_finite() {
+        return all;
     }
+    let scale = largest.normalizing_power();
 
-    /// Adds `sign · (at_zero + step·X)²`, of lengths.
-    #[must_use]
-    pub(super) fn plus_square(self, sign: S, at_zero: S, step: S) -> Self {
-        let (at_zero, step) = (at_zero * self.scale, step * self.scale);
-        let cross = at_zero * step;
-        let terms = [at_zero * at_zero, cross + cross, step * step];
-        let mut sum = self;
-        for ((c, size), term) in sum.coefficients.iter_mut().zip(&mut sum.sizes).zip(terms) {
-            *c = *c + sign * term;
+    let mut sum = [T::ZERO; 3];
+    let mut size = [T::ZERO; 3];
+    for (i, length) in lengths().enumerate() {
+        let (middle, way) = (length.middle * scale, length.step * reach * scale);
+        let cross = middle * way;
+        let terms = [middle * middle, cross + cross, way * way];
+        for ((sum, size), term) in sum.iter_mut().zip(&mut size).zip(terms) {
+            *sum = if i < P { *sum + term } else { *sum - term };
             *size = *size + term.abs();
         }
-        sum
     }
+    let unit = T::EPSILON * T::from_int(64);
+    // Middle and step are off by 2 quanta; their squares, by 4 times as much for each of 4 lengths.
+    let blur = T::QUANTUM * scale * (reach + T::ONE) * T::from_int(32);
+    let [c0, c1, c2] = sum;
+    let [s0, s1, s2] = size;
 
-    /// Adds `sign · |at_zero + step·X|²`, of lengths.
-    #[must_use]
-    pub(super) fn plus_length(self, sign: S, at_zero: Vec3<S>, step: Vec3<S>) -> Self {
-        self.plus_square(sign, at_zero.x, step.x)
-            .plus_square(sign, at_zero.y, step.y)
-            .plus_square(sign, at_zero.z, step.z)
+    let most = c0 + c1.abs() + c2.max(T::ZERO);
+    let error = (s0 + s1 + s2) * unit + blur;
+    if most + error < T::ZERO && error > T::ZERO {
+        return Extent::EMPTY;
     }
-
-    /// All columns of a row of `columns` in which the quadratic may be ≥ 0.
-    ///
-    /// The rounding errors of coefficients and discriminant are at most some 16 units of the terms
-    /// that they were summed from; 64 are allowed for, and a column on either side for the
-    /// roots' own rounding. Where the quadratic isn't clearly concave, or the errors' bound itself
-    /// vanishes, all columns are returned.
-    pub(super) fn extent(&self, columns: u32) -> Extent {
-        let all = Extent::all(columns);
-        let unit = S::EPSILON * S::from_halves(2 * 64);
-        let [c0, c1, c2] = self.coefficients;
-        let [s0, s1, s2] = self.sizes;
-        let half = S::from_halves(1);
-        let reach = S::from_halves(columns as i32);
-
-        let most = c0 + c1.abs() * reach + c2.max(S::ZERO) * reach * reach;
-        let error = (s0 + s1 * reach + s2 * reach * reach) * unit;
-        if most + error < S::ZERO && error > S::ZERO {
-            return Extent::EMPTY;
-        }
-        if c2 + s2 * unit >= S::ZERO {
-            return all;
-        }
-        let half_c1 = c1 * half;
-        let quarter = half_c1 * half_c1 - c0 * c2;
-        let quarter_error = (s1 * s1 + s0 * s2) * unit;
-        if (quarter_error * S::EPSILON).positive().is_none() {
-            return all;
-        }
-        if quarter + quarter_error < S::ZERO {
-            return Extent::EMPTY;
-        }
-        let root = (quarter + quarter_error).sqrt();
-        let first_column = S::from_halves(1 - columns as i32);
-        let left = (half_c1 - root) / -c2 - first_column;
-        let right = (half_c1 + root) / -c2 - first_column;
-        if !left.is_finite() || !right.is_finite() {
-            return all;
-        }
-        let start = left.floor_to_i32().saturating_sub(1).max(0) as u32;
-        let end = right.floor_to_i32().saturating_add(2).max(0) as u32;
-        all.overlap(Extent { start, end })
+    // Quotients by c2 must be good to a fraction of a column.
+    if c2 + s2 * unit + (blur + T::QUANTUM * T::from_int(256)) * T::from_int(4096) >= T::ZERO {
+        return all;
     }
+    let half_c1 = c1 * T::HALF;
+    let quarter = half_c1 * half_c1 - c0 * c2;
+    let rounding = (s1 * s1 + s0 * s2) * unit;
+    let quarter_error = rounding + (s0 + s1 + s2) * blur + T::QUANTUM * T::from_int(8);
+    if (rounding * T::EPSILON + T::QUANTUM).positive().is_none() {
+        return all;
+    }
+    if quarter + quarter_error < T::ZERO {
+        return Extent::EMPTY;
+    }
+    let root = (quarter + quarter_error).sqrt();
+    let column = |x: T| (x + T::ONE) * reach * T::HALF - T::HALF;
+    let left = column((half_c1 - root) / -c2);
+    let right = column((half_c1 + root) / -c2);
+    if !left.is_finite() || !right.is_finite() {
+        return all;
+    }
+    let start = left.floor_to_i32().saturating_sub(1).max(0) as u32;
+    let end = right.floor_to_i32().saturating_add(2).max(0) as u32;
+    all.overlap(Extent { start, end })
+}
+
+/// A length that is the same in all columns.
+pub(super) fn constant<T: Real>(length: T) -> Affine<T> {
+    Affine { middle: length, step: T::ZERO }
+}
+
+/// The coordinates in a row of a vector that is given in the middle of the picture and by its
+/// steps to the right and down.
+pub(super) fn vector_row<T: Real>([middle, right, down]: [Vec3<T>; 3], y: i32) -> [Affine<T>; 3] {
+    [
+        Affine::row([middle.x, right.x, down.x], y),
+        Affine::row([middle.y, right.y, down.y], y),
+        Affine::row([middle.z, right.z, down.z], y),
+    ]
 }
 
 /// A ball around a bounded solid, seen along parallel rays.
 ///
 /// In the image plane the ball is a disc, and a row cuts a chord out of it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct ParallelBall<S> {
-    /// The picture's middle, seen from the ball's centre, along the row and across it.
-    pub(super) along: S,
-    pub(super) across: S,
-    /// The size of a pixel, along the row and across it.
-    pub(super) pitch: [S; 2],
-    pub(super) radius: S,
+pub(super) struct ParallelBall<S: Scalar> {
+    /// The pixel, seen from the ball's centre, along its row.
+    pub(super) along: Affine<S::Fine>,
+    /// The row, seen from the ball's centre: of the middle row, and for half a pixel.
+    across: [S::Fine; 2],
+    pub(super) radius: S::Fine,
     columns: u32,
 }
 
 impl<S: Scalar> ParallelBall<S> {
-    pub(super) fn new(center: Vec3<S>, radius: S, rays: &Parallel<S>) -> Self {
+    pub(super) fn new(center: Vec3<S::Fine>, radius: S::Fine, rays: &Parallel<S>) -> Self {
         let from_center = rays.center - center;
-        let pitch = [rays.right, rays.down].map(|step| step.length_squared().sqrt());
+        let [pitch, row_pitch] = [rays.right, rays.down].map(|step| step.length_squared().sqrt());
         Self {
-            along: from_center.dot_compensated(rays.right) / pitch[0],
-            across: from_center.dot_compensated(rays.down) / pitch[1],
-            pitch,
+            along: Affine { middle: from_center.dot_compensated(rays.right) / pitch, step: pitch },
+            across: [from_center.dot_compensated(rays.down) / row_pitch, row_pitch],
             radius,
             columns: rays.columns,
         }
     }
 
     /// The distance of the row from the ball's centre.
-    pub(super) fn row_distance(&self, y: S) -> S {
-        self.across + self.pitch[1] * y
+    pub(super) fn row_distance(&self, y: i32) -> S::Fine {
+        self.across[0].after_steps(self.across[1], y)
     }
 
-    pub(super) fn extent(&self, y: S) -> Extent {
-        Quadratic::zero(self.radius)
-            .plus_square(S::ONE, self.radius, S::ZERO)
-            .plus_square(-S::ONE, self.row_distance(y), S::ZERO)
-            .plus_square(-S::ONE, self.along, self.pitch[0])
-            .extent(self.columns)
+    pub(super) fn extent(&self, y: i32) -> Extent {
+        let across = constant(self.row_distance(y));
+        extent([constant(self.radius)], [across, self.along], self.columns)
     }
 }
 
@@ -132,16 +130,16 @@ impl<S: Scalar> ParallelBall<S> {
 /// The ray `p + t·d` meets the ball where `r²|d|² − |(p − c) × d|² ≥ 0`; both d and the vector
 /// product are affine in the column, because all rays run through the eye.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct PencilBall<S> {
+pub(super) struct PencilBall<S: Scalar> {
     /// (p − c) × d in the middle of the picture, and its steps.
-    moment: [Vec3<S>; 3],
-    direction: [Vec3<S>; 3],
-    pub(super) radius: S,
+    pub(super) moment: [Vec3<S::Fine>; 3],
+    pub(super) direction: [Vec3<S::Fine>; 3],
+    radius: S::Fine,
     columns: u32,
 }
 
 impl<S: Scalar> PencilBall<S> {
-    pub(super) fn new(center: Vec3<S>, radius: S, rays: &Pencil<S>) -> Self {
+    pub(super) fn new(center: Vec3<S::Fine>, radius: S::Fine, rays: &Pencil<S>) -> Self {
         let plane = &rays.plane;
         let from_center = plane.center - center;
         let lever = plane.forward - from_center * rays.convergence;
@@ -161,17 +159,8 @@ impl<S: Scalar> PencilBall<S> {
         }
     }
 
-    /// The moment and the direction in a row: in its middle, and by column.
-    pub(super) fn row(&self, y: S) -> [[Vec3<S>; 2]; 2] {
-        [self.moment, self.direction].map(|[middle, right, down]| [middle + down * y, right])
-    }
-
-    pub(super) fn extent(&self, y: S) -> Extent {
-        let [moment, direction] = self.row(y);
-        let [direction, step] = direction.map(|part| part * self.radius);
-        Quadratic::zero(self.radius)
-            .plus_length(S::ONE, direction, step)
-            .plus_length(-S::ONE, moment[0], moment[1])
-            .extent(self.columns)
+    pub(super) fn extent(&self, y: i32) -> Extent {
+        let reach = vector_row(self.direction, y).map(|part| part.times(self.radius));
+        extent(reach, vector_row(self.moment, y), self.columns)
     }
 }

@@ -1,10 +1,11 @@
 //! The sphere (as a solid: the ball).
 
+use super::intersect::Intersect;
 use super::row::{ConvexRow, Leaf, Project, View};
-use super::silhouette::{ParallelBall, PencilBall};
+use super::silhouette::{ParallelBall, PencilBall, vector_row};
 use super::{Shape, Solid};
-use crate::geom::{Line, Parallel, Pencil, Vec3};
-use crate::scalar::Scalar;
+use crate::geom::{Affine, Line, Parallel, Pencil, Vec3};
+use crate::scalar::{Check, Chord, FixedI32, Fraction, Scalar};
 use crate::span::{Crossing, Face, Span, SpanStack};
 
 /// A solid sphere.
@@ -37,20 +38,20 @@ crate::error_text!(SphereError {
 });
 
 macro_rules! constructors {
-    ($($Float:ident),+) => {$(
-        impl Sphere<$Float> {
+    ($([$($generics:tt)*] $Scalar:ty),+) => {$(
+        impl<$($generics)*> Sphere<$Scalar> {
             /// A sphere around `center`.
             ///
             /// # Errors
             /// [`SphereError::NotFinite`], [`SphereError::Radius`], [`SphereError::TooFar`].
-            pub const fn new(center: Vec3<$Float>, radius: $Float) -> Result<Self, SphereError> {
-                if !center.has_finite_coordinates() {
+            pub const fn new(
+                center: Vec3<$Scalar>,
+                radius: $Scalar,
+            ) -> Result<Self, SphereError> {
+                if !center.has_finite_coordinates() || !Check::<$Scalar>::is_finite(radius) {
                     return Err(SphereError::NotFinite);
                 }
-                if !radius.is_finite() {
-                    return Err(SphereError::NotFinite);
-                }
-                if !(<$Float>::FINEST <= radius && radius <= <$Float>::REACH) {
+                if !Check::<$Scalar>::is_radius(radius) {
                     return Err(SphereError::Radius);
                 }
                 if !center.is_within_reach() {
@@ -62,7 +63,7 @@ macro_rules! constructors {
     )+};
 }
 
-constructors!(f32, f64);
+constructors!([] f32, [] f64, [F: Fraction] FixedI32<F>);
 
 impl<S: Scalar> Shape for Sphere<S> {
     type Scalar = S;
@@ -71,34 +72,27 @@ impl<S: Scalar> Shape for Sphere<S> {
     const FACES: u16 = 1;
 }
 
-/// The span around `middle`, with a half-length whose square times `scale`² is given.
 #[inline]
-fn around<S: Scalar>(middle: S, discriminant: S, scale: S) -> Option<Span<S>> {
-    let half = discriminant.positive()?.sqrt() * scale;
+fn span<S: Scalar>(enter: S, exit: S) -> Option<Span<S>> {
     let face = Face(0);
-    Span::new(Crossing { t: middle - half, face }, Crossing { t: middle + half, face })
+    Span::new(Crossing { t: enter, face }, Crossing { t: exit, face })
 }
 
-impl<S: Scalar> Solid for Sphere<S> {
+impl<S: Intersect> Solid for Sphere<S> {
     fn spans(&self, line: &Line<S>, first: Face, stack: &mut SpanStack<'_, S>) {
-        // |u + t·d|² = r²  with the discriminant r²|d|² − |u × d|²: no large squares cancel.
-        let u = line.origin - self.center;
-        let inverse = S::ONE / line.direction.length_squared();
-        let middle = -(u.dot_compensated(line.direction)) * inverse;
-        let moment = u.cross(line.direction).length_squared();
-        let discriminant = self.radius * self.radius * line.direction.length_squared() - moment;
-        if let Some(span) = around(middle, discriminant, inverse) {
+        let points = S::meet_ball(self.center, self.radius, line);
+        if let Some(span) = points.and_then(|[enter, exit]| span(enter, exit)) {
             stack.put(span.with_faces_from(first));
         }
     }
 
     fn onto(&self, _: Face, near: Vec3<S>) -> Vec3<S> {
-        let u = near - self.center;
-        self.center + u * (self.radius / u.length_squared().sqrt())
+        let outward = S::with_length((near - self.center).to_array(), self.radius);
+        self.center + Vec3::from(outward)
     }
 
     fn normal(&self, _: Face, at: Vec3<S>) -> Vec3<S> {
-        (at - self.center) * (S::ONE / self.radius)
+        Vec3::from(S::divided((at - self.center).to_array(), self.radius))
     }
 }
 
@@ -107,36 +101,33 @@ impl<S: Scalar> Project<Parallel<S>> for Sphere<S> {
 
     fn view(&self, rays: &Parallel<S>) -> ParallelView<S> {
         ParallelView {
-            ball: ParallelBall::new(self.center, self.radius, rays),
-            middle: -(rays.center - self.center).dot_compensated(rays.forward),
+            ball: ParallelBall::new(self.center.fine(), self.radius.fine(), rays),
+            middle: -(rays.center - self.center.fine()).dot_compensated(rays.forward),
         }
     }
 }
 
 /// A sphere, seen along parallel rays.
 #[derive(Debug, Clone, Copy)]
-pub struct ParallelView<S> {
+pub struct ParallelView<S: Scalar> {
     ball: ParallelBall<S>,
-    middle: S,
+    middle: S::Fine,
 }
 
 impl<S: Scalar> View for ParallelView<S> {
     type Scalar = S;
     type Row<'a> = Leaf<ParallelRow<S>>;
 
-    fn row(&self, y: S) -> Self::Row<'_> {
-        let across = self.ball.row_distance(y);
+    fn row(&self, y: i32) -> Self::Row<'_> {
         Leaf {
             row: ParallelRow {
-                half_chord_squared: S::product_difference(
-                    self.ball.radius,
-                    self.ball.radius,
-                    across,
-                    across,
+                // The radius of the circle that the row cuts out.
+                radius: S::leg(
+                    S::from_fine(self.ball.radius),
+                    S::from_fine(self.ball.row_distance(y)),
                 ),
                 along: self.ball.along,
-                pitch: self.ball.pitch[0],
-                middle: self.middle,
+                middle: S::from_fine(self.middle),
             },
             extent: self.ball.extent(y),
         }
@@ -145,10 +136,9 @@ impl<S: Scalar> View for ParallelView<S> {
 
 /// A row of a sphere, seen along parallel rays.
 #[derive(Debug, Clone, Copy)]
-pub struct ParallelRow<S> {
-    half_chord_squared: S,
-    along: S,
-    pitch: S,
+pub struct ParallelRow<S: Scalar> {
+    radius: Option<S>,
+    along: Affine<S::Fine>,
     middle: S,
 }
 
@@ -157,9 +147,9 @@ impl<S: Scalar> ConvexRow for ParallelRow<S> {
     const FACES: u16 = 1;
 
     #[inline]
-    fn span(&self, x: S) -> Option<Span<S>> {
-        let along = self.along + self.pitch * x;
-        around(self.middle, self.half_chord_squared - along * along, S::ONE)
+    fn span(&self, x: i32) -> Option<Span<S>> {
+        let half = S::leg(self.radius?, S::from_fine(self.along.at(x)))?;
+        span(self.middle.minus(half), self.middle.plus(half))
     }
 }
 
@@ -167,60 +157,47 @@ impl<S: Scalar> Project<Pencil<S>> for Sphere<S> {
     type View<'a> = PencilView<S>;
 
     fn view(&self, rays: &Pencil<S>) -> PencilView<S> {
-        let from_center = rays.plane.center - self.center;
+        let from_center = rays.plane.center - self.center.fine();
         PencilView {
-            ball: PencilBall::new(self.center, self.radius, rays),
-            approach: [rays.plane.forward, rays.plane.right, rays.plane.down]
-                .map(|step| from_center.dot_compensated(step)),
-            pitch_squared: [rays.plane.right, rays.plane.down].map(Vec3::length_squared),
-            convergence: rays.convergence,
+            from_center: [from_center, rays.plane.right, rays.plane.down],
+            ball: PencilBall::new(self.center.fine(), self.radius.fine(), rays),
+            radius: self.radius,
         }
     }
 }
 
 /// A sphere, seen from an eye.
 #[derive(Debug, Clone, Copy)]
-pub struct PencilView<S> {
+pub struct PencilView<S: Scalar> {
+    /// p − c in the middle of the picture, and its steps.
+    from_center: [Vec3<S::Fine>; 3],
     ball: PencilBall<S>,
-    /// (p − c)·d without the part that is quadratic in the pixel: in the middle, and the steps.
-    approach: [S; 3],
-    pitch_squared: [S; 2],
-    convergence: S,
+    radius: S,
 }
 
 impl<S: Scalar> View for PencilView<S> {
     type Scalar = S;
     type Row<'a> = Leaf<PencilRow<S>>;
 
-    fn row(&self, y: S) -> Self::Row<'_> {
-        // (p − c)·d = a·w + q (X a·U + Y a·V + X²|U|² + Y²|V|²) with a = centre − c, because U
-        // and V are at right angles to w.
-        let [forward, right, down] = self.approach;
-        let [moment, direction] = self.ball.row(y);
-        let of_row = y * (down + y * self.pitch_squared[1]);
-        Leaf {
-            row: PencilRow {
-                moment,
-                direction,
-                approach: [
-                    forward + self.convergence * of_row,
-                    self.convergence * right,
-                    self.convergence * self.pitch_squared[0],
-                ],
-                radius_squared: self.ball.radius * self.ball.radius,
-            },
-            extent: self.ball.extent(y),
-        }
+    fn row(&self, y: i32) -> Self::Row<'_> {
+        let row = PencilRow {
+            moment: vector_row(self.ball.moment, y),
+            from_center: vector_row(self.from_center, y),
+            direction: vector_row(self.ball.direction, y),
+            radius: self.radius,
+        };
+        Leaf { row, extent: self.ball.extent(y) }
     }
 }
 
 /// A row of a sphere, seen from an eye.
 #[derive(Debug, Clone, Copy)]
-pub struct PencilRow<S> {
-    moment: [Vec3<S>; 2],
-    direction: [Vec3<S>; 2],
-    approach: [S; 3],
-    radius_squared: S,
+pub struct PencilRow<S: Scalar> {
+    /// (p − c) × d, p − c and d.
+    moment: [Affine<S::Fine>; 3],
+    from_center: [Affine<S::Fine>; 3],
+    direction: [Affine<S::Fine>; 3],
+    radius: S,
 }
 
 impl<S: Scalar> ConvexRow for PencilRow<S> {
@@ -228,14 +205,13 @@ impl<S: Scalar> ConvexRow for PencilRow<S> {
     const FACES: u16 = 1;
 
     #[inline]
-    fn span(&self, x: S) -> Option<Span<S>> {
-        let [middle, step] = self.direction;
-        let length_squared = (middle + step * x).length_squared();
-        let [middle, step] = self.moment;
-        let moment_squared = (middle + step * x).length_squared();
-        let inverse = S::ONE / length_squared;
-        let approach = self.approach[0] + x * (self.approach[1] + x * self.approach[2]);
-        let discriminant = self.radius_squared * length_squared - moment_squared;
-        around(-approach * inverse, discriminant, inverse)
+    fn span(&self, x: i32) -> Option<Span<S>> {
+        let lengths = |of: [Affine<S::Fine>; 3]| of.map(|part| S::from_fine(part.at(x)));
+        let direction = self.direction.map(|part| S::unit(part.at(x)));
+        let (k, q) = (lengths(self.moment), lengths(self.from_center));
+        match S::chord(self.radius, k, q, direction) {
+            Chord::Between(enter, exit) => span(enter, exit),
+            Chord::Beside | Chord::Along => None,
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! The open cylinder: a wall without caps.
 
-use super::cylinder::{Cylinder, Meeting, Tube};
+use super::cylinder::{Cylinder, Tube};
+use super::intersect::{Intersect, Meeting};
 use super::slab::Slab;
 use crate::geom::{Ray, Vec3};
 use crate::scalar::Scalar;
@@ -10,7 +11,7 @@ use crate::scalar::Scalar;
 /// It has the same extent as the [`Cylinder`] that it is made from.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct CylinderWall<S> {
+pub struct CylinderWall<S: Scalar> {
     tube: Tube<S>,
     caps: Slab<S>,
 }
@@ -30,7 +31,7 @@ pub struct WallHit<S> {
     pub inner: bool,
 }
 
-impl<S: Scalar> CylinderWall<S> {
+impl<S: Intersect> CylinderWall<S> {
     /// The wall of a cylinder.
     #[must_use]
     pub const fn of(cylinder: &Cylinder<S>) -> Self {
@@ -46,17 +47,12 @@ impl<S: Scalar> CylinderWall<S> {
     #[must_use]
     pub fn hit(&self, ray: &Ray<S>) -> Option<WallHit<S>> {
         let line = ray.line();
-        let Meeting::Points(enter, exit) = self.tube.meet(&self.caps.normal, line) else {
+        let Meeting::Points(enter, exit) = S::meet_tube(&self.tube, &self.caps.normal, line) else {
             return None;
         };
-        let x_at_zero = self.caps.normal.dot(line.origin);
-        let speed = self.caps.normal.dot(line.direction);
         [(enter, false), (exit, true)]
             .into_iter()
-            .find(|&(t, _)| {
-                let x = S::add_product(x_at_zero, t, speed);
-                t >= ray.start() && self.caps.low <= x && x <= self.caps.high
-            })
+            .find(|&(t, _)| t >= ray.start() && S::is_between(&self.caps, line, t))
             .map(|(t, inner)| {
                 let point = self.tube.onto(&self.caps.normal, line.at(t));
                 let outward = self.tube.normal(&self.caps.normal, point);

@@ -72,9 +72,16 @@ impl<S: Scalar> Span<S> {
     #[must_use]
     #[inline]
     pub fn overlap(self, other: Self) -> Option<Self> {
+        let (enter, exit) = self.common_ends(other);
+        Self::new(enter, exit)
+    }
+
+    /// The later beginning and the earlier end of two spans.
+    #[inline]
+    pub(crate) fn common_ends(self, other: Self) -> (Crossing<S>, Crossing<S>) {
         let enter = if other.enter.t > self.enter.t { other.enter } else { self.enter };
         let exit = if other.exit.t < self.exit.t { other.exit } else { self.exit };
-        Self::new(enter, exit)
+        (enter, exit)
     }
 
     /// The same span with its faces counted from `first` on.

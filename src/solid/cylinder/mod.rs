@@ -4,12 +4,13 @@ mod parallel;
 mod pencil;
 mod tube;
 
-pub(super) use tube::{Meeting, Tube};
+pub(super) use tube::Tube;
 
-use super::slab::{Slab, SlabError, unit};
+use super::intersect::{Intersect, Meeting};
+use super::slab::{Slab, SlabError};
 use super::{Shape, Solid};
 use crate::geom::{Direction, Line, Vec3};
-use crate::scalar::Scalar;
+use crate::scalar::{Check, FixedI32, Fraction, Real, Scalar, Stretch};
 use crate::span::{Crossing, Face, Span, SpanStack};
 
 /// A solid cylinder with flat caps: the infinite cylinder, cut by a slab.
@@ -18,7 +19,7 @@ use crate::span::{Crossing, Face, Span, SpanStack};
 /// wall. For cylinders along coordinate axes, the caps lie exactly at the given coordinates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Cylinder<S> {
+pub struct Cylinder<S: Scalar> {
     pub(super) tube: Tube<S>,
     /// Between the caps; its normal is the axis.
     pub(super) caps: Slab<S>,
@@ -49,8 +50,8 @@ crate::error_text!(CylinderError {
 const WALL: Face = Face(2);
 
 macro_rules! constructors {
-    ($($Float:ident),+) => {$(
-        impl Cylinder<$Float> {
+    ($([$($generics:tt)*] $Scalar:ty),+) => {$(
+        impl<$($generics)*> Cylinder<$Scalar> {
             /// A cylinder along the x axis, around the line at (`y`, `z`), from `x_min` to
             /// `x_max`.
             ///
@@ -58,14 +59,14 @@ macro_rules! constructors {
             /// [`CylinderError::NotFinite`], [`CylinderError::Radius`], [`CylinderError::TooFar`], or
             /// [`CylinderError::Empty`] where `x_min ≥ x_max`.
             pub const fn along_x(
-                y: $Float,
-                z: $Float,
-                radius: $Float,
-                x_min: $Float,
-                x_max: $Float,
+                y: $Scalar,
+                z: $Scalar,
+                radius: $Scalar,
+                x_min: $Scalar,
+                x_max: $Scalar,
             ) -> Result<Self, CylinderError> {
-                let axis = Direction::<$Float>::X;
-                Self::around(Vec3::new(0.0, y, z), axis, radius, x_min, x_max)
+                let axis = Direction::<$Scalar>::X;
+                Self::around(Vec3::new(Check::<$Scalar>::ZERO, y, z), axis, radius, x_min, x_max)
             }
 
             /// A cylinder along the y axis, around the line at (`x`, `z`), from `y_min` to
@@ -74,14 +75,14 @@ macro_rules! constructors {
             /// # Errors
             /// As [`along_x`](Self::along_x).
             pub const fn along_y(
-                x: $Float,
-                z: $Float,
-                radius: $Float,
-                y_min: $Float,
-                y_max: $Float,
+                x: $Scalar,
+                z: $Scalar,
+                radius: $Scalar,
+                y_min: $Scalar,
+                y_max: $Scalar,
             ) -> Result<Self, CylinderError> {
-                let axis = Direction::<$Float>::Y;
-                Self::around(Vec3::new(x, 0.0, z), axis, radius, y_min, y_max)
+                let axis = Direction::<$Scalar>::Y;
+                Self::around(Vec3::new(x, Check::<$Scalar>::ZERO, z), axis, radius, y_min, y_max)
             }
 
             /// A cylinder along the z axis, around the line at (`x`, `y`), from `z_min` to
@@ -90,29 +91,29 @@ macro_rules! constructors {
             /// # Errors
             /// As [`along_x`](Self::along_x).
             pub const fn along_z(
-                x: $Float,
-                y: $Float,
-                radius: $Float,
-                z_min: $Float,
-                z_max: $Float,
+                x: $Scalar,
+                y: $Scalar,
+                radius: $Scalar,
+                z_min: $Scalar,
+                z_max: $Scalar,
             ) -> Result<Self, CylinderError> {
-                let axis = Direction::<$Float>::Z;
-                Self::around(Vec3::new(x, y, 0.0), axis, radius, z_min, z_max)
+                let axis = Direction::<$Scalar>::Z;
+                Self::around(Vec3::new(x, y, Check::<$Scalar>::ZERO), axis, radius, z_min, z_max)
             }
 
             /// A cylinder from the middle of one cap to the middle of the other.
             ///
-            /// The axis is rounded to the number type once, so a cap may lie off its end point by
-            /// the rounding error of that point's coordinates. The axis is computed in `f64`: on a
-            /// core without that, better in a constant.
+            /// The axis is rounded once, to the number type or in fixed point to 2⁻²⁸, so a cap may
+            /// lie off its end point by the rounding error of that point's coordinates. It is
+            /// computed in `f64` or in integers of 128 bits: better in a constant.
             ///
             /// # Errors
             /// [`CylinderError::NotFinite`], [`CylinderError::Radius`], [`CylinderError::TooFar`], or
             /// [`CylinderError::Empty`] where the points coincide.
             pub const fn between(
-                from: Vec3<$Float>,
-                to: Vec3<$Float>,
-                radius: $Float,
+                from: Vec3<$Scalar>,
+                to: Vec3<$Scalar>,
+                radius: $Scalar,
             ) -> Result<Self, CylinderError> {
                 if !(from.has_finite_coordinates() && to.has_finite_coordinates()) {
                     return Err(CylinderError::NotFinite);
@@ -120,42 +121,35 @@ macro_rules! constructors {
                 if !(from.is_within_reach() && to.is_within_reach()) {
                     return Err(CylinderError::TooFar);
                 }
-                let start = [from.x as f64, from.y as f64, from.z as f64];
-                let end = [to.x as f64, to.y as f64, to.z as f64];
-                let way = [end[0] - start[0], end[1] - start[1], end[2] - start[2]];
-                let Ok(axis) = unit(way) else { return Err(CylinderError::Empty) };
-                let axis = Vec3::new(axis[0] as $Float, axis[1] as $Float, axis[2] as $Float);
-                // Offsets along the axis as it was rounded, which is what lines will be held
-                // against.
-                let [x, y, z] = [axis.x as f64, axis.y as f64, axis.z as f64];
-                let low = x * start[0] + y * start[1] + z * start[2];
-                let high = x * end[0] + y * end[1] + z * end[2];
-                let axis = Direction::<$Float>::new(axis);
-                Self::around(from, axis, radius, low as $Float, high as $Float)
+                match Check::<$Scalar>::stretch([from.x, from.y, from.z], [to.x, to.y, to.z]) {
+                    Some(Stretch { direction, low, high }) => {
+                        let axis = Direction::<$Scalar>::new(direction);
+                        Self::around(from, axis, radius, low, high)
+                    }
+                    None => Err(CylinderError::Empty),
+                }
             }
 
             const fn around(
-                base: Vec3<$Float>,
-                axis: Direction<$Float>,
-                radius: $Float,
-                low: $Float,
-                high: $Float,
+                base: Vec3<$Scalar>,
+                axis: Direction<$Scalar>,
+                radius: $Scalar,
+                low: $Scalar,
+                high: $Scalar,
             ) -> Result<Self, CylinderError> {
-                if !base.has_finite_coordinates() {
+                if !base.has_finite_coordinates() || !Check::<$Scalar>::is_finite(radius) {
                     return Err(CylinderError::NotFinite);
                 }
-                if !radius.is_finite() {
-                    return Err(CylinderError::NotFinite);
-                }
-                if !(<$Float>::FINEST <= radius && radius <= <$Float>::REACH) {
+                if !Check::<$Scalar>::is_radius(radius) {
                     return Err(CylinderError::Radius);
                 }
                 if !base.is_within_reach() {
                     return Err(CylinderError::TooFar);
                 }
-                match Slab::<$Float>::between(axis, low, high) {
+                match Slab::<$Scalar>::between(axis, low, high) {
                     Ok(caps) => Ok(Self { tube: Tube { base, radius }, caps }),
                     Err(SlabError::NotFinite) => Err(CylinderError::NotFinite),
+                    Err(SlabError::TooFar) => Err(CylinderError::TooFar),
                     Err(_) => Err(CylinderError::Empty),
                 }
             }
@@ -163,7 +157,7 @@ macro_rules! constructors {
     )+};
 }
 
-constructors!(f32, f64);
+constructors!([] f32, [] f64, [F: Fraction] FixedI32<F>);
 
 impl<S: Scalar> Shape for Cylinder<S> {
     type Scalar = S;
@@ -172,19 +166,17 @@ impl<S: Scalar> Shape for Cylinder<S> {
     const FACES: u16 = 3;
 }
 
-impl<S: Scalar> Solid for Cylinder<S> {
+impl<S: Intersect> Solid for Cylinder<S> {
     fn spans(&self, line: &Line<S>, first: Face, stack: &mut SpanStack<'_, S>) {
-        let within_wall = match self.tube.meet(&self.caps.normal, line) {
+        let within_wall = match S::meet_tube(&self.tube, &self.caps.normal, line) {
             Meeting::Beside | Meeting::Along => None,
             Meeting::Within => Some(Span::whole_line(WALL)),
-            Meeting::Points(enter, exit) => {
-                let at = |t| Crossing { t, face: WALL };
-                Span::new(at(enter), at(exit))
-            }
+            Meeting::Points(enter, exit) => wall_span(enter, exit),
         };
-        let Some(span) = within_wall else { return };
-        let between_caps = self.caps.line_span(line);
-        if let Some(span) = between_caps.and_then(|caps| caps.overlap(span)) {
+        let Some(wall) = within_wall else { return };
+        let Some(caps) = S::pass(&self.caps, line).span() else { return };
+        let span = caps.overlap(wall).or_else(|| self.shortest_span(line, caps, wall));
+        if let Some(span) = span {
             stack.put(span.with_faces_from(first));
         }
     }
@@ -207,20 +199,34 @@ impl<S: Scalar> Solid for Cylinder<S> {
 }
 
 #[inline]
-fn wall_span<S: Scalar>(middle: S, half: S) -> Option<Span<S>> {
+fn wall_span<S: Scalar>(enter: S, exit: S) -> Option<Span<S>> {
     let at = |t| Crossing { t, face: WALL };
-    Span::new(at(middle - half), at(middle + half))
+    Span::new(at(enter), at(exit))
+}
+
+impl<S: Intersect> Cylinder<S> {
+    /// The span of a line that is between caps and within the wall only for a moment, so that
+    /// where it begins and where it ends round to the same parameter.
+    fn shortest_span(&self, line: &Line<S>, caps: Span<S>, wall: Span<S>) -> Option<Span<S>> {
+        let (enter, exit) = caps.common_ends(wall);
+        if enter.t != exit.t {
+            return None;
+        }
+        let [enter_t, exit_t] = S::shortest(&self.tube, &self.caps, line, enter.t)?;
+        Span::new(Crossing { t: enter_t, ..enter }, Crossing { t: exit_t, ..exit })
+    }
 }
 
 impl<S: Scalar> Cylinder<S> {
     /// A ball that holds the whole cylinder.
-    fn bounding_ball(&self) -> (Vec3<S>, S) {
-        let half = S::from_halves(1);
-        let middle = (self.caps.low + self.caps.high) * half;
-        let Tube { base, radius } = self.tube;
+    fn bounding_ball(&self) -> (Vec3<S::Fine>, S::Fine) {
+        let half = S::Fine::HALF;
+        let (low, high) = (self.caps.low.fine(), self.caps.high.fine());
+        let (base, radius) = (self.tube.base.fine(), self.tube.radius.fine());
         let axis = &self.caps.normal;
-        let center = base + axis.vector() * (middle - axis.dot(base));
-        let half_length = (self.caps.high - self.caps.low) * half;
-        (center, (radius * radius + half_length * half_length).sqrt())
+        let middle = (low + high) * half - axis.dot_fine(base);
+        let half_length = (high - low) * half;
+        let square = radius * radius + half_length * half_length;
+        (base + axis.fine() * middle, square.sqrt())
     }
 }

@@ -5,10 +5,10 @@
 //! `middle ± √(r² − κ²) · stretch`, with an affine middle and `stretch` = 1/|d × axis|.
 
 use super::{Cylinder, WALL, wall_span};
-use crate::geom::{Parallel, Vec3};
-use crate::scalar::Scalar;
+use crate::geom::{Affine, Parallel, Vec3};
+use crate::scalar::{Number, Real, Scalar};
 use crate::solid::row::{ConvexRow, Leaf, Project, View};
-use crate::solid::silhouette::{ParallelBall, Quadratic};
+use crate::solid::silhouette::{ParallelBall, constant, extent, vector_row};
 use crate::solid::slab;
 use crate::span::Span;
 
@@ -16,18 +16,18 @@ impl<S: Scalar> Project<Parallel<S>> for Cylinder<S> {
     type View<'a> = ParallelView<S>;
 
     fn view(&self, rays: &Parallel<S>) -> ParallelView<S> {
-        let axis = self.caps.normal.vector();
-        let u = rays.center - self.tube.base;
+        let axis = self.caps.normal.fine();
+        let u = rays.center - self.tube.base.fine();
         let m = rays.forward.cross(axis);
         let moments = [u, rays.right, rays.down].map(|step| step.cross(axis));
-        // An angle whose square vanishes moves no ray of a scene by a rounding error.
-        let across = m.length_squared().is_normal().then(|| m.normalized()).flatten();
+        // An angle too small to divide by hardly moves a ray within the length of a scene.
+        let across = m.max_abs().is_divisor().then(|| m.normalized()).flatten();
         let wall = if let Some(n) = across {
-            let stretch = S::ONE / m.dot(n);
+            let stretch = S::Fine::ONE / m.dot(n);
             Wall::Across {
                 distance: [u, rays.right, rays.down].map(|step| step.dot_compensated(n)),
                 middle: moments.map(|moment| -moment.dot_compensated(n) * stretch),
-                stretch,
+                stretch: S::factor(stretch),
             }
         } else {
             Wall::Along { moments }
@@ -45,7 +45,7 @@ impl<S: Scalar> Project<Parallel<S>> for Cylinder<S> {
 
 /// A cylinder, seen along parallel rays.
 #[derive(Debug, Clone, Copy)]
-pub struct ParallelView<S> {
+pub struct ParallelView<S: Scalar> {
     wall: Wall<S>,
     radius: S,
     caps: slab::ParallelView<S>,
@@ -55,57 +55,54 @@ pub struct ParallelView<S> {
 
 /// The wall: values in the middle of the picture, and their steps to the right and down.
 #[derive(Debug, Clone, Copy)]
-enum Wall<S> {
+enum Wall<S: Scalar> {
     Across {
         /// κ.
-        distance: [S; 3],
-        middle: [S; 3],
-        stretch: S,
+        distance: [S::Fine; 3],
+        middle: [S::Fine; 3],
+        stretch: S::Factor,
     },
     /// The camera looks along the axis: the vector from the axis to the ray, turned by 90°.
-    Along { moments: [Vec3<S>; 3] },
+    Along { moments: [Vec3<S::Fine>; 3] },
 }
 
 impl<S: Scalar> View for ParallelView<S> {
     type Scalar = S;
     type Row<'a> = Leaf<ParallelRow<S>>;
 
-    fn row(&self, y: S) -> Self::Row<'_> {
-        let Self { radius, .. } = *self;
-        let round = Quadratic::zero(radius).plus_square(S::ONE, radius, S::ZERO);
+    fn row(&self, y: i32) -> Self::Row<'_> {
+        let radius = [constant(self.radius.fine())];
         let (wall, silhouette) = match self.wall {
             Wall::Across { distance, middle, stretch } => {
-                let in_row = |[middle, right, down]: [S; 3]| [middle + down * y, right];
-                let distance = in_row(distance);
-                (
-                    WallRow::Across { distance, middle: in_row(middle), stretch },
-                    round.plus_square(-S::ONE, distance[0], distance[1]),
-                )
+                let distance = Affine::row(distance, y);
+                let middle = Affine::row(middle, y);
+                let silhouette = extent(radius, [distance], self.columns);
+                (WallRow::Across { distance, middle, stretch }, silhouette)
             }
-            Wall::Along { moments: [middle, right, down] } => {
-                let moments = [middle + down * y, right];
-                (WallRow::Along { moments }, round.plus_length(-S::ONE, moments[0], moments[1]))
+            Wall::Along { moments } => {
+                let moments = vector_row(moments, y);
+                (WallRow::Along { moments }, extent(radius, moments, self.columns))
             }
         };
         Leaf {
-            row: ParallelRow { wall, radius_squared: radius * radius, caps: self.caps.slab_row(y) },
-            extent: silhouette.extent(self.columns).overlap(self.ball.extent(y)),
+            row: ParallelRow { wall, radius: self.radius, caps: self.caps.slab_row(y) },
+            extent: silhouette.overlap(self.ball.extent(y)),
         }
     }
 }
 
 /// A row of a cylinder, seen along parallel rays.
 #[derive(Debug, Clone, Copy)]
-pub struct ParallelRow<S> {
+pub struct ParallelRow<S: Scalar> {
     wall: WallRow<S>,
-    radius_squared: S,
+    radius: S,
     caps: slab::ParallelRow<S>,
 }
 
 #[derive(Debug, Clone, Copy)]
-enum WallRow<S> {
-    Across { distance: [S; 2], middle: [S; 2], stretch: S },
-    Along { moments: [Vec3<S>; 2] },
+enum WallRow<S: Scalar> {
+    Across { distance: Affine<S::Fine>, middle: Affine<S::Fine>, stretch: S::Factor },
+    Along { moments: [Affine<S::Fine>; 3] },
 }
 
 impl<S: Scalar> ConvexRow for ParallelRow<S> {
@@ -113,17 +110,16 @@ impl<S: Scalar> ConvexRow for ParallelRow<S> {
     const FACES: u16 = 3;
 
     #[inline]
-    fn span(&self, x: S) -> Option<Span<S>> {
+    fn span(&self, x: i32) -> Option<Span<S>> {
         let within_wall = match &self.wall {
             WallRow::Across { distance, middle, stretch } => {
-                let distance = distance[0] + distance[1] * x;
-                let discriminant = (self.radius_squared - distance * distance).positive()?;
-                wall_span(middle[0] + middle[1] * x, discriminant.sqrt() * *stretch)?
+                let half = S::leg(self.radius, S::from_fine(distance.at(x)))?.scaled(*stretch);
+                let middle = S::from_fine(middle.at(x));
+                wall_span(middle.minus(half), middle.plus(half))?
             }
-            WallRow::Along { moments: [middle, step] } => {
-                let distance_squared = (*middle + *step * x).length_squared();
-                (self.radius_squared - distance_squared).positive()?;
-                Span::whole_line(WALL)
+            WallRow::Along { moments } => {
+                let distance = S::length(moments.map(|part| S::from_fine(part.at(x))));
+                if distance < self.radius { Span::whole_line(WALL) } else { return None }
             }
         };
         self.caps.span(x)?.overlap(within_wall)

@@ -1,0 +1,293 @@
+//! 64-bit fixed point: the numbers that a fixed-point picture is set up with.
+
+use super::number::sealed::Sealed;
+use super::whole::{divide, shift_right, shift_right_wide};
+use super::{Number, Real};
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A signed number with 32 bits before and 32 bits behind the binary point.
+///
+/// Every sum stays at the end of the range where it would leave it, products and quotients are
+/// rounded to nearest and do so too, and a quotient by zero is an end of the range (or 0 for 0/0).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Fine(i64);
+
+impl Fine {
+    pub(super) const FRACTION_BITS: u32 = 32;
+
+    /// The number of 2^−32 times `bits`.
+    #[must_use]
+    pub const fn from_bits(bits: i64) -> Self {
+        Self(bits)
+    }
+
+    /// The number times 2^32.
+    #[must_use]
+    pub const fn to_bits(self) -> i64 {
+        self.0
+    }
+}
+
+impl Sealed for Fine {}
+
+impl Number for Fine {
+    const ZERO: Self = Self(0);
+    const ONE: Self = Self(1 << Self::FRACTION_BITS);
+
+    #[inline]
+    fn plus(self, other: Self) -> Self {
+        Self(self.0.saturating_add(other.0))
+    }
+
+    #[inline]
+    fn minus(self, other: Self) -> Self {
+        Self(self.0.saturating_sub(other.0))
+    }
+
+    #[inline]
+    fn times(self, other: Self) -> Self {
+        self * other
+    }
+
+    #[inline]
+    fn negated(self) -> Self {
+        Self(self.0.saturating_neg())
+    }
+
+    #[inline]
+    fn abs(self) -> Self {
+        Self(self.0.saturating_abs())
+    }
+
+    #[inline]
+    fn is_finite(self) -> bool {
+        true
+    }
+
+    #[inline]
+    fn dot(x: [Self; 3], y: [Self; 3]) -> Self {
+        Self::dot3(x, y)
+    }
+}
+
+impl Add for Fine {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        self.plus(other)
+    }
+}
+
+impl Sub for Fine {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self.minus(other)
+    }
+}
+
+impl Mul for Fine {
+    type Output = Self;
+    // Wide products are long on small cores: one copy of them.
+    #[inline(never)]
+    fn mul(self, other: Self) -> Self {
+        Self(shift_right_wide(product(self, other), Self::FRACTION_BITS))
+    }
+}
+
+impl Div for Fine {
+    type Output = Self;
+    #[inline(never)]
+    fn div(self, other: Self) -> Self {
+        let numerator = i128::from(self.0) << Self::FRACTION_BITS;
+        let quotient = match other.0 {
+            // An end of the range.
+            0 => numerator << 32,
+            divisor => divide(numerator, i128::from(divisor)),
+        };
+        Self(quotient.clamp(i64::MIN.into(), i64::MAX.into()) as i64)
+    }
+}
+
+impl Neg for Fine {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        self.negated()
+    }
+}
+
+#[inline]
+fn product(a: Fine, b: Fine) -> i128 {
+    i128::from(a.0) * i128::from(b.0)
+}
+
+impl Real for Fine {
+    const PI: Self = Self(0x3_243f_6a89);
+    const HALF: Self = Self(1 << (Self::FRACTION_BITS - 1));
+    const EPSILON: Self = Self(1);
+    const QUANTUM: Self = Self(1);
+
+    #[inline]
+    fn from_int(whole: i32) -> Self {
+        Self((whole as i64) << Self::FRACTION_BITS)
+    }
+
+    #[inline]
+    fn floor_to_i32(self) -> i32 {
+        (self.0 >> Self::FRACTION_BITS) as i32
+    }
+
+    /// From 2^−16 on: reciprocals of smaller numbers, times the coordinates of a scene, would
+    /// leave the range. As angles, smaller ones count as none.
+    #[inline]
+    fn is_divisor(self) -> bool {
+        self.0.unsigned_abs() >= 1 << (Self::FRACTION_BITS - 16)
+    }
+
+    fn sqrt(self) -> Self {
+        let square = u128::try_from(self.0).unwrap_or(0) << Self::FRACTION_BITS;
+        let root = square.isqrt();
+        Self((root + u128::from(square - root * root > root)) as i64)
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        let (sin, cos) = sin_cos(self.0);
+        (Self(shift_right(sin, 30)), Self(shift_right(cos, 30)))
+    }
+
+    fn normalizing_power(self) -> Self {
+        // 2^31 doesn't fit.
+        let exponent = (self.0.unsigned_abs().leading_zeros() + 1).min(62);
+        Self(1 << exponent)
+    }
+
+    #[inline]
+    fn after_steps(self, step: Self, count: i32) -> Self {
+        Self(self.0.wrapping_add(step.0.wrapping_mul(i64::from(count))))
+    }
+
+    fn holds_steps(self, step: Self, count: i32) -> bool {
+        let way = i128::from(step.0) * i128::from(count.unsigned_abs());
+        let most = i128::from(self.0.unsigned_abs()) + way.abs();
+        most <= i128::from(i64::MAX)
+    }
+
+    fn product_difference(a: Self, b: Self, c: Self, d: Self) -> Self {
+        Self(shift_right_wide(product(a, b).saturating_sub(product(c, d)), Self::FRACTION_BITS))
+    }
+
+    fn dot3(x: [Self; 3], y: [Self; 3]) -> Self {
+        let [p0, p1, p2] = [0, 1, 2].map(|i| match (x.get(i), y.get(i)) {
+            (Some(x), Some(y)) => product(*x, *y),
+            _ => 0,
+        });
+        Self(shift_right_wide(p0.saturating_add(p1).saturating_add(p2), Self::FRACTION_BITS))
+    }
+}
+
+/// Sine and cosine, as multiples of 2^−62, of an angle in multiples of 2^−32.
+///
+/// The angle is taken to within π/4 of a multiple of π/2, and the Taylor series is summed from
+/// its eighth term on: what is left out is less than 10^−16.
+fn sin_cos(angle: i64) -> (i64, i64) {
+    /// 2/π and π/2 as multiples of 2^−64 and 2^−62.
+    const QUARTERS: i128 = 0xa2f9_836e_4e44_152a;
+    const QUARTER: i64 = 0x6487_ed51_10b4_611a;
+    const ONE: i64 = 1 << 62;
+    let times = |a: i64, b: i64| ((i128::from(a) * i128::from(b)) >> 62) as i64;
+
+    // In quarters of a turn, as multiples of 2^−62.
+    let turned = (i128::from(angle) * QUARTERS) >> 34;
+    let quarter = (turned + (1 << 61)) >> 62;
+    let angle = times((turned - (quarter << 62)) as i64, QUARTER);
+
+    let square = times(angle, angle);
+    let series = |factors: [i64; 7]| {
+        factors.into_iter().fold(ONE, |rest, factor| ONE - times(square, rest) / factor)
+    };
+    let sin = times(angle, series([210, 156, 110, 72, 42, 20, 6]));
+    let cos = series([182, 132, 90, 56, 30, 12, 2]);
+    match quarter & 3 {
+        0 => (sin, cos),
+        1 => (cos, -sin),
+        2 => (-sin, -cos),
+        _ => (-cos, sin),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use std::prelude::rust_2024::*;
+
+    fn value(fine: Fine) -> f64 {
+        fine.0 as f64 / 2f64.powi(32)
+    }
+
+    fn fine(value: f64) -> Fine {
+        Fine((value * 2f64.powi(32)) as i64)
+    }
+
+    const UNIT: f64 = 1.0 / 4_294_967_296.0;
+
+    proptest! {
+        #[test]
+        fn arithmetic_is_rounded_once(x in -30f64..30.0, y in -30f64..30.0) {
+            let (a, b) = (fine(x), fine(y));
+            let (x, y) = (value(a), value(b));
+            prop_assert!((value(a * b) - x * y).abs() <= 0.51 * UNIT);
+            if y.abs() > 0.1 {
+                prop_assert!((value(a / b) - x / y).abs() <= 0.51 * UNIT);
+            }
+            let root = value(Real::sqrt(a));
+            prop_assert!((root - x.max(0.0).sqrt()).abs() <= 0.51 * UNIT);
+            let difference = value(Fine::product_difference(a, b, b, Fine::ONE));
+            prop_assert!((difference - (x * y - y)).abs() <= 0.51 * UNIT);
+        }
+
+        #[test]
+        fn angles(x in -3e4f64..3e4) {
+            let a = fine(x);
+            let (sin, cos) = a.sin_cos();
+            prop_assert!((value(sin) - value(a).sin()).abs() <= 0.6 * UNIT);
+            prop_assert!((value(cos) - value(a).cos()).abs() <= 0.6 * UNIT);
+        }
+
+        #[test]
+        fn powers_normalize(bits in 1i64..) {
+            let scaled = Fine(bits) * Fine(bits).normalizing_power();
+            if bits >= 4 {
+                prop_assert!((Fine::ONE..Fine::from_int(2)).contains(&scaled), "{scaled:?}");
+            }
+        }
+
+        #[test]
+        fn steps_may_overflow_on_the_way(at in -1i64 << 60..1i64 << 60, count in 1i32..1000) {
+            let step = Fine(i64::MAX / 10);
+            let start = Fine(at.wrapping_sub(step.0.wrapping_mul(i64::from(count))));
+            prop_assert_eq!(start.after_steps(step, count), Fine(at));
+        }
+    }
+
+    #[test]
+    fn the_ends_of_the_range() {
+        let (low, high) = (Fine(i64::MIN), Fine(i64::MAX));
+        assert_eq!(high + Fine(1), high);
+        assert_eq!(low - Fine(1), low);
+        assert_eq!(-low, high);
+        assert_eq!(low * low, high);
+        assert_eq!(low * high, low);
+        assert_eq!(Fine::ONE / Fine::ZERO, high);
+        assert_eq!(-Fine::ONE / Fine::ZERO, low);
+        assert_eq!(Fine::ZERO / Fine::ZERO, Fine::ZERO);
+        assert_eq!(low / Fine(-1), high);
+        assert_eq!(Fine::dot3([low; 3], [low; 3]), high);
+        assert_eq!(Fine::dot3([low; 3], [high; 3]), low);
+        assert_eq!(Real::sqrt(low), Fine::ZERO);
+        assert!(high.holds_steps(Fine::ZERO, 5) && !high.holds_steps(Fine(1), 1));
+        assert!(!low.holds_steps(low, i32::MIN));
+    }
+}

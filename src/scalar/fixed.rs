@@ -1,0 +1,249 @@
+//! [`Scalar`] for 32-bit fixed point.
+//!
+//! Products of two numbers are exact in 64 bits, so a difference of squares is exact too, and
+//! whether it is positive is never a matter of rounding.
+
+use super::number::sealed::Sealed;
+use super::rebase::Rebased;
+use super::whole::{divide, narrow, normalized, reciprocal, shift_right, sqrt};
+use super::{Chord, Factor, Fine, FixedI32, Number, Scalar};
+use ::fixed::types::extra::{LeEqU32, U28};
+
+/// A number of fraction bits from 8 to 28.
+pub trait Fraction: LeEqU32 + 'static {
+    #[doc(hidden)]
+    const BITS: u32;
+}
+
+impl<T: LeEqU32 + 'static> Fraction for T {
+    const BITS: u32 = {
+        assert!(T::U32 >= 8 && T::U32 <= 28, "a scene needs from 8 to 28 fraction bits");
+        T::U32
+    };
+}
+
+/// Coordinates and directions.
+type Unit = FixedI32<U28>;
+const UNIT_BITS: u32 = 28;
+
+impl<F: Fraction> Sealed for FixedI32<F> {}
+
+impl<F: Fraction> Number for FixedI32<F> {
+    const ZERO: Self = Self::from_bits(0);
+    const ONE: Self = Self::from_bits(1 << F::BITS);
+
+    #[inline]
+    fn plus(self, other: Self) -> Self {
+        self.saturating_add(other)
+    }
+
+    #[inline]
+    fn minus(self, other: Self) -> Self {
+        self.saturating_sub(other)
+    }
+
+    #[inline]
+    fn times(self, other: Self) -> Self {
+        rounded(product(self.to_bits(), other.to_bits()), F::BITS)
+    }
+
+    #[inline]
+    fn negated(self) -> Self {
+        self.saturating_neg()
+    }
+
+    #[inline]
+    fn abs(self) -> Self {
+        self.saturating_abs()
+    }
+
+    #[inline]
+    fn is_finite(self) -> bool {
+        true
+    }
+
+    #[inline]
+    fn dot(x: [Self; 3], y: [Self; 3]) -> Self {
+        rounded(sum_of_products(x.map(Self::to_bits), y.map(Self::to_bits)), F::BITS)
+    }
+}
+
+#[inline]
+fn product(a: i32, b: i32) -> i64 {
+    i64::from(a) * i64::from(b)
+}
+
+/// `x·y`; a sum that leaves the range of `i64` stays at its end.
+#[inline]
+fn sum_of_products<const N: usize>(x: [i32; N], y: [i32; N]) -> i64 {
+    x.into_iter().zip(y).fold(0i64, |sum, (x, y)| sum.saturating_add(product(x, y)))
+}
+
+/// `|x|²`, for up to 3 coordinates.
+#[inline]
+fn sum_of_squares<const N: usize>(x: [i32; N]) -> u64 {
+    const { assert!(N <= 3) };
+    x.into_iter().fold(0u64, |sum, x| sum.wrapping_add(product(x, x).unsigned_abs()))
+}
+
+/// `bits / 2^shift` as a number.
+#[inline]
+fn rounded<F: Fraction>(bits: i64, shift: u32) -> FixedI32<F> {
+    FixedI32::from_bits(narrow(shift_right(bits, shift as i32)))
+}
+
+/// The nearest number with the root of `square · 2^exponent` bits.
+#[inline]
+fn root<F: Fraction>(square: u64, exponent: i32) -> FixedI32<F> {
+    // An even exponent can be halved; the root has all its 32 bits if the square has 64.
+    let zeros = square.leading_zeros() as i32;
+    let spare = if (zeros + exponent) & 1 == 0 { zeros } else { zeros - 1 };
+    let (square, shift) = if spare < 0 {
+        (square >> 1, (exponent + 1) / 2)
+    } else {
+        (square.checked_shl(spare.unsigned_abs()).unwrap_or(0), (exponent - spare) / 2)
+    };
+    FixedI32::from_bits(narrow(shift_right(i64::from(sqrt(square)), -shift)))
+}
+
+impl<F: Fraction> Scalar for FixedI32<F> {
+    type Unit = Unit;
+    type Fine = Fine;
+    type Factor = Factor;
+
+    const LOWEST: Self = Self::MIN;
+    const HIGHEST: Self = Self::MAX;
+    const REACH: Self = Self::from_bits(1 << 28);
+    const FINEST: Self = Self::from_bits(1);
+    const SHORTEST: Self = Self::from_bits(1 << (F::BITS - 1));
+    const LONGEST: Self = Self::from_bits(1 << 30);
+
+    #[inline]
+    fn fine(self) -> Fine {
+        Fine::from_bits(i64::from(self.to_bits()) << (Fine::FRACTION_BITS - F::BITS))
+    }
+
+    #[inline]
+    fn from_fine(fine: Fine) -> Self {
+        rounded(fine.to_bits(), Fine::FRACTION_BITS - F::BITS)
+    }
+
+    #[inline]
+    fn unit(fine: Fine) -> Unit {
+        rounded(fine.to_bits(), Fine::FRACTION_BITS - UNIT_BITS)
+    }
+
+    #[inline]
+    fn fine_unit(unit: Unit) -> Fine {
+        unit.fine()
+    }
+
+    #[inline]
+    fn times_unit(self, unit: Unit) -> Self {
+        rounded(product(self.to_bits(), unit.to_bits()), UNIT_BITS)
+    }
+
+    #[inline]
+    fn dot_unit(vector: [Self; 3], direction: [Unit; 3]) -> Self {
+        let sum = sum_of_products(vector.map(Self::to_bits), direction.map(Unit::to_bits));
+        rounded(sum, UNIT_BITS)
+    }
+
+    fn factor(fine: Fine) -> Factor {
+        Factor::new(fine)
+    }
+
+    #[inline]
+    fn scaled(self, factor: Factor) -> Self {
+        Self::from_bits(factor.times(self.to_bits(), 0))
+    }
+
+    fn quotients(numerators: [Fine; 2], denominator: Fine) -> [Self; 2] {
+        let inverse = Factor::inverse(denominator.abs());
+        let is_negative = denominator < Fine::ZERO;
+        let exponent = F::BITS as i32 - Fine::FRACTION_BITS as i32;
+        numerators.map(|numerator| {
+            let numerator = if is_negative { -numerator } else { numerator };
+            Self::from_bits(inverse.times_wide(numerator.to_bits(), exponent))
+        })
+    }
+
+    #[inline]
+    fn leg(hypotenuse: Self, leg: Self) -> Option<Self> {
+        let (hypotenuse, leg) = (hypotenuse.to_bits(), leg.to_bits());
+        let square = product(hypotenuse, hypotenuse) - product(leg, leg);
+        (square > 0).then(|| Self::from_bits(narrow(sqrt(square.unsigned_abs()).into())))
+    }
+
+    fn chord<const K: usize, const N: usize>(
+        radius: Self,
+        k: [Self; K],
+        q: [Self; N],
+        m: [Unit; N],
+    ) -> Chord<Self> {
+        // Bits of a and b have 2·28 and F + 28 digits behind the point; r² and k² have 2F.
+        let m = m.map(Unit::to_bits);
+        let (a, exponent) = normalized(sum_of_squares(m));
+        // |m| below 2^-14 has less than 14 bits.
+        if a == 0 || exponent < 2 * (UNIT_BITS as i32 - 14) - 31 {
+            return Chord::Along;
+        }
+        // 1/a = inverse · 2^(−63 − exponent + 56)
+        let inverse = u64::from(reciprocal(a));
+        let one_over_a = 2 * UNIT_BITS as i32 - 63 - exponent;
+
+        let (squared, to_k) = normalized(sum_of_squares(k.map(Self::to_bits)));
+        let to_k = to_k + one_over_a;
+        if squared > 0 && to_k > 0 {
+            // Far more than the square of any radius.
+            return Chord::Beside;
+        }
+        let distance_squared =
+            (u64::from(squared) * inverse).checked_shr(to_k.unsigned_abs()).unwrap_or(0);
+        let square = product(radius.to_bits(), radius.to_bits()).unsigned_abs();
+        let Some(square) = square.checked_sub(distance_squared).filter(|&square| square > 0) else {
+            return Chord::Beside;
+        };
+        let (square, exponent) = normalized(square);
+        let half: Self = root(u64::from(square) * inverse, exponent + one_over_a);
+
+        let b = sum_of_products(q.map(Self::to_bits), m);
+        let drop = (33 - b.unsigned_abs().leading_zeros() as i32).max(0);
+        let product = shift_right(b, drop).saturating_mul((inverse >> 1) as i64);
+        // Half of the inverse, and one of the 28 digits twice that b has too many.
+        let shift = UNIT_BITS as i32 - (drop + one_over_a + 1);
+        let middle = Self::from_bits(narrow(-shift_right(product, shift)));
+        Chord::Between(middle.minus(half), middle.plus(half))
+    }
+
+    fn length(vector: [Self; 3]) -> Self {
+        root(sum_of_squares(vector.map(Self::to_bits)), 0)
+    }
+
+    fn with_length(vector: [Self; 3], length: Self) -> [Self; 3] {
+        let bits = vector.map(Self::to_bits);
+        let square = u128::from(sum_of_squares(bits));
+        // The vector's length has 20 more digits than it shows.
+        let long = (square << 40).isqrt().cast_signed();
+        bits.map(|bits| {
+            let wide = i128::from(product(bits, length.to_bits())) << 20;
+            Self::from_bits(narrow(divide(wide, long) as i64))
+        })
+    }
+
+    fn divided(vector: [Self; 3], by: Self) -> [Self; 3] {
+        let inverse = Factor::inverse(by.fine());
+        vector.map(|coordinate| coordinate.scaled(inverse))
+    }
+
+    #[inline]
+    fn to_level(self) -> u8 {
+        let level = shift_right(i64::from(self.to_bits()) * 255, F::BITS as i32);
+        level.clamp(0, 255) as u8
+    }
+
+    #[inline]
+    fn rebased(origin: [Self; 3], direction: [Self; 3]) -> Rebased<Self> {
+        Rebased::unchanged(origin, direction)
+    }
+}

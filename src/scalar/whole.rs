@@ -1,0 +1,152 @@
+//! Integer arithmetic that fixed point is made of: rounded shifts, roots, quotients.
+
+/// `value / 2^shift`, rounded to nearest, halves upwards; `shift` may be negative. What leaves
+/// the range of `i64` stays at its end.
+#[inline]
+pub(crate) const fn shift_right(value: i64, shift: i32) -> i64 {
+    if shift <= 0 {
+        let left = shift.unsigned_abs();
+        if left < 64 && (value << left) >> left == value {
+            return value << left;
+        }
+        return match value {
+            0 => 0,
+            1.. => i64::MAX,
+            _ => i64::MIN,
+        };
+    }
+    if shift > 63 {
+        return 0;
+    }
+    // The bit below the last one that stays is 1 from one half on.
+    (value >> shift) + ((value >> (shift - 1)) & 1)
+}
+
+/// As [`shift_right`], of a product of two numbers.
+#[inline]
+pub(crate) const fn shift_right_wide(value: i128, shift: u32) -> i64 {
+    let half = 1i128 << (shift - 1);
+    let shifted = value.saturating_add(half) >> shift;
+    if shifted > i64::MAX as i128 {
+        i64::MAX
+    } else if shifted < i64::MIN as i128 {
+        i64::MIN
+    } else {
+        shifted as i64
+    }
+}
+
+/// A number held inside the range of `i32`.
+#[inline]
+pub(crate) const fn narrow(value: i64) -> i32 {
+    if value > i32::MAX as i64 {
+        i32::MAX
+    } else if value < i32::MIN as i64 {
+        i32::MIN
+    } else {
+        value as i32
+    }
+}
+
+/// The nearest whole number to `numerator / denominator`, halves upwards; for a denominator ≠ 0
+/// whose double, and twice the numerator, are inside of the type's range.
+#[inline]
+pub(crate) const fn divide(numerator: i128, denominator: i128) -> i128 {
+    let (n, d) =
+        if denominator < 0 { (-numerator, -denominator) } else { (numerator, denominator) };
+    // Both fit 64 bits in most cases, and a quotient of these is several times as fast.
+    let (n, d) = (2 * n + d, 2 * d);
+    if n as i64 as i128 == n && d as i64 as i128 == d && d != 0 {
+        (n as i64).wrapping_div_euclid(d as i64) as i128
+    } else if d != 0 {
+        n.wrapping_div_euclid(d)
+    } else {
+        0
+    }
+}
+
+/// The nearest whole number to the square root.
+#[inline]
+pub(crate) const fn sqrt(square: u64) -> u32 {
+    let root = square.isqrt();
+    // (root + 1/2)² = root² + root + 1/4.
+    let root = if square - root * root > root { root + 1 } else { root };
+    if root > u32::MAX as u64 { u32::MAX } else { root as u32 }
+}
+
+/// A positive number as `mantissa · 2^exponent` with 2³¹ ≤ `mantissa` < 2³², cut off; 0 for 0.
+#[inline]
+pub(crate) const fn normalized(value: u64) -> (u32, i32) {
+    if value == 0 {
+        return (0, 0);
+    }
+    let zeros = value.leading_zeros();
+    (((value << zeros) >> 32) as u32, 32 - zeros as i32)
+}
+
+/// `2^63 / mantissa` for 2³¹ ≤ `mantissa` < 2³²: between 2³¹ and 2³².
+#[inline]
+pub(crate) const fn reciprocal(mantissa: u32) -> u32 {
+    if mantissa == 0 {
+        return u32::MAX;
+    }
+    // 2^63 − 1, so that the reciprocal of 2³¹ fits.
+    (((1u64 << 63) - 1) / mantissa as u64) as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn shifts_round(value in -1i64 << 40..1i64 << 40, shift in 0i32..50) {
+            let exact = value as f64 / 2f64.powi(shift);
+            prop_assert_eq!(shift_right(value, shift) as f64, (exact + 0.5).floor());
+            if shift > 0 {
+                let wide = shift_right_wide(i128::from(value), shift as u32);
+                prop_assert_eq!(wide, shift_right(value, shift));
+            }
+        }
+
+        #[test]
+        fn quotients_round(n in -1i64 << 40..1i64 << 40, d in -1000i64..1000) {
+            prop_assume!(d != 0);
+            let got = divide(i128::from(n), i128::from(d));
+            let (n, d) = (i128::from(n * d.signum()), i128::from(d.abs()));
+            prop_assert!(2 * got * d - d <= 2 * n && 2 * n < 2 * got * d + d);
+            prop_assert_eq!(divide(n << 60, d << 60), divide(n, d));
+        }
+
+        #[test]
+        fn roots_round(square in 0..u64::MAX) {
+            let root = i128::from(sqrt(square));
+            let square = i128::from(square);
+            prop_assert!(4 * square <= (2 * root + 1) * (2 * root + 1) || root == 0xffff_ffff);
+            prop_assert!(root == 0 || 4 * square > (2 * root - 1) * (2 * root - 1));
+        }
+
+        #[test]
+        fn reciprocals_are_good_to_the_last_bit(value in 1..u64::MAX) {
+            let (mantissa, exponent) = normalized(value);
+            let power = 2f64.powi(exponent);
+            let relative = f64::from(mantissa) * power / value as f64 - 1.0;
+            prop_assert!((-5e-10..=1e-15).contains(&relative), "{relative}");
+            let product = f64::from(mantissa) * f64::from(reciprocal(mantissa)) / 2f64.powi(63);
+            prop_assert!((1.0 - 5e-10..=1.0).contains(&product), "{product}");
+        }
+    }
+
+    #[test]
+    fn shifts_saturate() {
+        assert_eq!(shift_right(3, -62), i64::MAX);
+        assert_eq!(shift_right(-3, -62), i64::MIN);
+        assert_eq!(shift_right(1, -62), 1 << 62);
+        assert_eq!(shift_right(i64::MIN, 63), -1);
+        assert_eq!(shift_right(i64::MIN, 64), 0);
+        assert_eq!(shift_right_wide(i128::MAX, 32), i64::MAX);
+        assert_eq!(shift_right_wide(i128::MIN, 32), i64::MIN);
+        assert_eq!(narrow(i64::MAX), i32::MAX);
+    }
+}
