@@ -162,11 +162,11 @@ impl Session {
                 Heard::Silence => silence += READ_TIMEOUT,
                 Heard::Closed => return None,
             }
-            if silence >= ASK_AFTER {
-                if let Some(frame) = unknown.take() {
-                    let request = Request { frame, part: Part::Header };
-                    ask(&mut *self.port, &mut self.traffic, request);
-                }
+            if silence >= ASK_AFTER
+                && let Some(frame) = unknown.take()
+            {
+                let request = Request { frame, part: Part::Header };
+                ask(&mut *self.port, &mut self.traffic, request);
             }
             if silence >= patience {
                 return None;

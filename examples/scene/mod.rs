@@ -7,13 +7,33 @@ use scancsg::constant;
 use scancsg::geom::{Vec3, vec3};
 use scancsg::render::{CameraError, Orthographic, Perspective};
 use scancsg::scalar::I16F16;
-use scancsg::solid::{Cylinder, Difference, Painted, Rgb};
+use scancsg::solid::{Cylinder, Difference, Intersect, Painted, Rgb};
 
 /// What there is of it, minus what is drilled out.
 pub type Tee<S> = Difference<[Cylinder<S>; 4], [Cylinder<S>; 6]>;
 
 /// The same in two colours: the outside and the drilled faces.
 pub type PaintedTee<S> = Difference<Painted<[Cylinder<S>; 4]>, Painted<[Cylinder<S>; 6]>>;
+
+/// What a user who chooses the number type by a type parameter asks for. The modules below have
+/// the same by number type.
+pub trait Scene: Intersect {
+    /// The part.
+    const TEE: Tee<Self>;
+    /// The part in two colours.
+    const PAINTED_TEE: PaintedTee<Self>;
+    /// Towards the light.
+    const TO_LIGHT: Vec3<Self>;
+
+    /// The camera without perspective.
+    fn orthographic() -> Result<Orthographic<Self>, CameraError>;
+
+    /// The camera with perspective.
+    fn perspective() -> Result<Perspective<Self>, CameraError>;
+
+    /// The number nearest to this many hundredths.
+    fn hundredths(count: i32) -> Self;
+}
 
 macro_rules! tee {
     ($module:ident, $scalar:ty, $from_ratio:path) => {
@@ -73,6 +93,24 @@ macro_rules! tee {
 
             /// Towards the light: from above, in front of the branch.
             pub const TO_LIGHT: Vec3<Scalar> = vec3(n(25), n(85), n(45));
+        }
+
+        impl Scene for $scalar {
+            const TEE: Tee<Self> = $module::TEE;
+            const PAINTED_TEE: PaintedTee<Self> = $module::PAINTED_TEE;
+            const TO_LIGHT: Vec3<Self> = $module::TO_LIGHT;
+
+            fn orthographic() -> Result<Orthographic<Self>, CameraError> {
+                $module::orthographic()
+            }
+
+            fn perspective() -> Result<Perspective<Self>, CameraError> {
+                $module::perspective()
+            }
+
+            fn hundredths(count: i32) -> Self {
+                $from_ratio(count, 100)
+            }
         }
     };
 }

@@ -32,6 +32,10 @@ pub struct Args {
     #[arg(long, value_enum, default_value_t = Camera::Ortho)]
     pub camera: Camera,
 
+    /// The number type to render with: floating point, or fixed point with 16 fraction bits
+    #[arg(long, value_enum, default_value_t = Number::F32)]
+    pub number: Number,
+
     /// How many frames; the part turns about y once in all of them together
     #[arg(long, value_name = "N", default_value_t = 1,
           value_parser = clap::value_parser!(u16).range(1..=3600))]
@@ -71,6 +75,13 @@ pub enum Shade {
 pub enum Camera {
     Ortho,
     Persp,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Number {
+    F32,
+    F64,
+    I16f16,
 }
 
 fn size(text: &str) -> Result<Size, String> {

@@ -3,9 +3,12 @@
 //! It is for no board in particular: it has no start-up code, and its serial port is two
 //! addresses. So it is built and looked at, not run: `.ci/bare-metal` prints the sizes of its
 //! sections and makes sure that no panic, no formatting, no allocator and no `f64` is in it.
+//!
+//! It computes in `f32` where that is in hardware, and in fixed point elsewhere; `--cfg number="f32"`
+//! and `--cfg number="i16f16"` among the compiler's flags choose.
 
 use crate::device::{Line, send_frame};
-use crate::scene::{Tee, f32};
+use crate::scene::{Scene, Tee};
 use core::convert::Infallible;
 use core::ptr;
 use scancsg::render::{Gray8, Lambert, Picture, PixelFormat, Size};
@@ -15,10 +18,15 @@ use scancsg::stream::{Sender, packet_capacity};
 
 const WIDTH: u16 = 160;
 const HEIGHT: u16 = 120;
-const SPANS: usize = Tee::<core::primitive::f32>::STACK;
+const SPANS: usize = Tee::<Number>::STACK;
 const PACKET: usize = packet_capacity(WIDTH, PixelFormat::Gray8);
 
-static TEE: Tee<core::primitive::f32> = f32::TEE;
+#[cfg(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16"))))]
+type Number = f32;
+#[cfg(not(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16")))))]
+type Number = scancsg::scalar::I16F16;
+
+static TEE: Tee<Number> = Number::TEE;
 
 /// A serial port: a register to send, and one that holds a byte received, or more than 255.
 struct Uart {
@@ -57,11 +65,11 @@ impl Line for Uart {
 }
 
 fn render() -> Option<()> {
-    let camera = f32::orthographic().ok()?;
-    let light = Lambert::new(f32::TO_LIGHT, 0.15).ok()?;
+    let camera = Number::orthographic().ok()?;
+    let light = Lambert::new(Number::TO_LIGHT, Number::hundredths(15)).ok()?;
     let size = Size::new(WIDTH, HEIGHT).ok()?;
     let picture = Picture::new(&TEE, &camera, size, light, Gray8(0));
-    let mut spans = SpanList::<core::primitive::f32, SPANS>::new();
+    let mut spans = SpanList::<Number, SPANS>::new();
     let mut pixels = [Gray8(0); WIDTH as usize];
     let uart = Uart { transmit: 0x4000_C000 as *mut u32, receive: 0x4000_C004 as *const u32 };
     let mut sender = Sender::<_, PACKET>::new(uart);

@@ -1,26 +1,27 @@
 //! The host: chooses what is rendered, gives it a line, and looks at what comes out.
 
-use crate::args::{Args, Camera, Format, Shade};
+use crate::args::{Args, Camera, Format, Number, Shade};
 use crate::device::{self, Delivery, DeviceError, Line};
 use crate::host::image::write_png;
 use crate::host::port::{self, Faults, Port, Wire};
 use crate::host::receive::{CAPACITY, Ending, Frame, Session};
 use crate::host::terminal::Display;
-use crate::scene;
+use crate::scene::{Scene, Tee};
 use clap::Parser;
 use scancsg::geom::{Parallel, Pencil, Pose, Rays};
 use scancsg::render::{Depth, Gray8, Lambert, Picture, Pixel, Rgb565, Shader, Size, XRay};
+use scancsg::scalar::I16F16;
 use scancsg::solid::{Placed, Project, Shape, Solid};
 use scancsg::span::SpanList;
 use scancsg::stream::{SendError, Sender};
-use std::f32::consts::TAU;
+use std::f64::consts::TAU;
 use std::io::{self, Read, Write};
 use std::process::ExitCode;
 use std::thread;
 use std::time::{Duration, Instant};
 
 /// Room for the spans of the part; less would not compile.
-const SPANS: usize = <scene::Tee<f32> as Shape>::STACK;
+const SPANS: usize = <Tee<f32> as Shape>::STACK;
 
 /// With no sender, this long is waited for a frame.
 const PATIENCE: Duration = Duration::from_secs(5);
@@ -179,19 +180,59 @@ fn loop_back(args: &Args) -> Result<(), String> {
     })
 }
 
-/// Renders and sends all frames, in the pixel format that was asked for.
+/// Renders and sends all frames, in the number type and the pixel format that were asked for.
 fn send(args: &Args, line: HostLine, sent: &mut dyn FnMut(u16)) -> Result<Sent, String> {
+    match args.number {
+        Number::F32 => send_number::<f32>(args, line, sent),
+        Number::F64 => send_number::<f64>(args, line, sent),
+        Number::I16f16 => send_number::<I16F16>(args, line, sent),
+    }
+}
+
+/// A number type that the example can be asked for.
+trait Choice: Scene {
+    fn angle(radians: f64) -> Self;
+}
+
+impl Choice for f32 {
+    fn angle(radians: f64) -> Self {
+        radians as Self
+    }
+}
+
+impl Choice for f64 {
+    fn angle(radians: f64) -> Self {
+        radians
+    }
+}
+
+impl Choice for I16F16 {
+    fn angle(radians: f64) -> Self {
+        Self::saturating_from_num(radians)
+    }
+}
+
+fn send_number<S: Choice>(
+    args: &Args,
+    line: HostLine,
+    sent: &mut dyn FnMut(u16),
+) -> Result<Sent, String> {
     match args.format {
-        Format::Gray8 => send_shaded(args, line, sent, &scene::f32::TEE, Gray8(0)),
-        Format::Rgb565 => send_shaded(args, line, sent, &scene::f32::PAINTED_TEE, Rgb565(0)),
+        Format::Gray8 => send_shaded(args, line, sent, &S::TEE, Gray8(0)),
+        Format::Rgb565 => send_shaded(args, line, sent, &S::PAINTED_TEE, Rgb565(0)),
     }
 }
 
 /// A part that both cameras can see.
-trait Part: Solid<Scalar = f32> + Project<Parallel<f32>> + Project<Pencil<f32>> {}
-impl<T: Solid<Scalar = f32> + Project<Parallel<f32>> + Project<Pencil<f32>>> Part for T {}
+trait Part<S: Choice>: Solid<Scalar = S> + Project<Parallel<S>> + Project<Pencil<S>> {}
+impl<S, T> Part<S> for T
+where
+    S: Choice,
+    T: Solid<Scalar = S> + Project<Parallel<S>> + Project<Pencil<S>>,
+{
+}
 
-fn send_shaded<T, P>(
+fn send_shaded<S, T, P>(
     args: &Args,
     line: HostLine,
     sent: &mut dyn FnMut(u16),
@@ -199,28 +240,30 @@ fn send_shaded<T, P>(
     background: P,
 ) -> Result<Sent, String>
 where
-    T: Part,
+    S: Choice,
+    T: Part<S>,
     P: Pixel,
 {
-    // The part fits a ball of radius 2.6 around the origin.
+    let n = S::hundredths;
     let text = |error: scancsg::render::ShadeError| error.to_string();
     match args.shade {
         Shade::Lambert => {
-            let light = Lambert::new(scene::f32::TO_LIGHT, 0.15).map_err(text)?;
+            let light = Lambert::new(S::TO_LIGHT, n(15)).map_err(text)?;
             send_seen(args, line, sent, part, light, background)
         }
+        // The part fits a ball of radius 2.6 around the origin.
         Shade::Depth => {
-            let depth = Depth::new(-2.6, 2.6).map_err(text)?;
+            let depth = Depth::new(n(-260), n(260)).map_err(text)?;
             send_seen(args, line, sent, part, depth, background)
         }
         Shade::Xray => {
-            let xray = XRay::new(4.0).map_err(text)?;
+            let xray = XRay::new(n(400)).map_err(text)?;
             send_seen(args, line, sent, part, xray, background)
         }
     }
 }
 
-fn send_seen<T, H, P>(
+fn send_seen<S, T, H, P>(
     args: &Args,
     line: HostLine,
     sent: &mut dyn FnMut(u16),
@@ -229,24 +272,25 @@ fn send_seen<T, H, P>(
     background: P,
 ) -> Result<Sent, String>
 where
-    T: Part,
-    H: Shader<f32> + Copy,
+    S: Choice,
+    T: Part<S>,
+    H: Shader<S> + Copy,
     P: Pixel,
 {
     let text = |error: scancsg::render::CameraError| error.to_string();
     match args.camera {
         Camera::Ortho => {
-            let camera = scene::f32::orthographic().map_err(text)?;
+            let camera = S::orthographic().map_err(text)?;
             send_frames(args, line, sent, part, &camera, shader, background)
         }
         Camera::Persp => {
-            let camera = scene::f32::perspective().map_err(text)?;
+            let camera = S::perspective().map_err(text)?;
             send_frames(args, line, sent, part, &camera, shader, background)
         }
     }
 }
 
-fn send_frames<T, C, H, P>(
+fn send_frames<S, T, C, H, P>(
     args: &Args,
     line: HostLine,
     sent: &mut dyn FnMut(u16),
@@ -256,18 +300,19 @@ fn send_frames<T, C, H, P>(
     background: P,
 ) -> Result<Sent, String>
 where
-    C: scancsg::render::Camera<Rays: Rays<Scalar = f32>>,
-    T: Solid<Scalar = f32> + Project<C::Rays>,
-    H: Shader<f32> + Copy,
+    S: Choice,
+    C: scancsg::render::Camera<Rays: Rays<Scalar = S>>,
+    T: Solid<Scalar = S> + Project<C::Rays>,
+    H: Shader<S> + Copy,
     P: Pixel,
 {
     let size: Size = args.size;
     let mut sender = Box::new(Sender::<_, CAPACITY>::new(line));
-    let mut spans = SpanList::<f32, SPANS>::new();
+    let mut spans = SpanList::<S, SPANS>::new();
     let mut pixels = vec![background; usize::from(size.width())];
     let mut unheard = 0;
     for frame in 0..args.frames {
-        let angle = TAU * f32::from(frame) / f32::from(args.frames);
+        let angle = S::angle(TAU * f64::from(frame) / f64::from(args.frames));
         let turned = Placed::new(part, Pose::rotation_y(angle));
         let picture = Picture::new(&turned, camera, size, shader, background);
         let delivery = device::send_frame(&picture, frame, &mut sender, &mut spans, &mut pixels)

@@ -295,9 +295,7 @@ macro_rules! float {
                     return Chord::Along;
                 }
                 let discriminant = radius * radius * a - sum_of_products(k, k);
-                if !(discriminant > 0.0) {
-                    return Chord::Beside;
-                }
+                let Some(discriminant) = discriminant.positive() else { return Chord::Beside };
                 let inverse = 1.0 / a;
                 let middle = -sum_of_products(q, m) * inverse;
                 let half = Real::sqrt(discriminant) * inverse;
