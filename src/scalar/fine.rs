@@ -35,12 +35,12 @@ impl Number for Fine {
     const ZERO: Self = Self(0);
     const ONE: Self = Self(1 << Self::FRACTION_BITS);
 
-    #[inline]
+    #[inline(never)]
     fn plus(self, other: Self) -> Self {
         Self(self.0.saturating_add(other.0))
     }
 
-    #[inline]
+    #[inline(never)]
     fn minus(self, other: Self) -> Self {
         Self(self.0.saturating_sub(other.0))
     }
@@ -89,7 +89,7 @@ impl Sub for Fine {
 
 impl Mul for Fine {
     type Output = Self;
-    // Wide products are long on small cores: one copy of them.
+    // Wide products are long on small cores, and set-up is seldom: one copy of them is enough.
     #[inline(never)]
     fn mul(self, other: Self) -> Self {
         Self(shift_right_wide(product(self, other), Self::FRACTION_BITS))
@@ -146,6 +146,7 @@ impl Real for Fine {
         self.0.unsigned_abs() >= 1 << (Self::FRACTION_BITS - 16)
     }
 
+    #[inline(never)]
     fn sqrt(self) -> Self {
         let square = u128::try_from(self.0).unwrap_or(0) << Self::FRACTION_BITS;
         let root = square.isqrt();
@@ -157,6 +158,7 @@ impl Real for Fine {
         (Self(shift_right(sin, 30)), Self(shift_right(cos, 30)))
     }
 
+    #[inline(never)]
     fn normalizing_power(self) -> Self {
         // 2^31 doesn't fit.
         let exponent = (self.0.unsigned_abs().leading_zeros() + 1).min(62);
@@ -168,16 +170,19 @@ impl Real for Fine {
         Self(self.0.wrapping_add(step.0.wrapping_mul(i64::from(count))))
     }
 
+    #[inline(never)]
     fn holds_steps(self, step: Self, count: i32) -> bool {
         let way = i128::from(step.0) * i128::from(count.unsigned_abs());
         let most = i128::from(self.0.unsigned_abs()) + way.abs();
         most <= i128::from(i64::MAX)
     }
 
+    #[inline(never)]
     fn product_difference(a: Self, b: Self, c: Self, d: Self) -> Self {
         Self(shift_right_wide(product(a, b).saturating_sub(product(c, d)), Self::FRACTION_BITS))
     }
 
+    #[inline(never)]
     fn dot3(x: [Self; 3], y: [Self; 3]) -> Self {
         let [p0, p1, p2] = [0, 1, 2].map(|i| match (x.get(i), y.get(i)) {
             (Some(x), Some(y)) => product(*x, *y),

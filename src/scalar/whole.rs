@@ -54,14 +54,19 @@ pub(crate) const fn narrow(value: i64) -> i32 {
 pub(crate) const fn divide(numerator: i128, denominator: i128) -> i128 {
     let (n, d) =
         if denominator < 0 { (-numerator, -denominator) } else { (numerator, denominator) };
-    // Both fit 64 bits in most cases, and a quotient of these is several times as fast.
     let (n, d) = (2 * n + d, 2 * d);
-    if n as i64 as i128 == n && d as i64 as i128 == d && d != 0 {
-        (n as i64).wrapping_div_euclid(d as i64) as i128
-    } else if d != 0 {
-        n.wrapping_div_euclid(d)
+    // Both fit 64 bits in most cases, and a quotient of these is several times as fast.
+    let quotient = if n as i64 as i128 == n && d as i64 as i128 == d {
+        match (n as i64).checked_div_euclid(d as i64) {
+            Some(quotient) => Some(quotient as i128),
+            None => None,
+        }
     } else {
-        0
+        n.checked_div_euclid(d)
+    };
+    match quotient {
+        Some(quotient) => quotient,
+        None => 0,
     }
 }
 

@@ -10,14 +10,11 @@ use crate::scalar::{Real, Scalar};
 /// they were summed from; 64 are allowed for, and a column on either side for the roots' own
 /// rounding. What fixed point lost when the lengths were rounded is added. Where the quadratic
 /// isn't clearly concave, or the errors' bound itself vanishes, all columns are returned.
-pub(super) fn extent<T: Real, const P: usize, const M: usize>(
-    plus: [Affine<T>; P],
-    minus: [Affine<T>; M],
-    columns: u32,
-) -> Extent {
+#[inline(never)] // once a row is seldom, and the code is long
+pub(super) fn extent<T: Real>(plus: &[Affine<T>], minus: &[Affine<T>], columns: u32) -> Extent {
     let all = Extent::all(columns);
     let reach = T::from_int(columns as i32);
-    let lengths = || plus.iter().chain(&minus);
+    let lengths = || plus.iter().chain(minus);
     let largest = lengths()
         .map(|length| length.middle.abs() + length.step.abs() * reach)
         .fold(T::ZERO, T::max);
@@ -33,7 +30,7 @@ pub(super) fn extent<T: Real, const P: usize, const M: usize>(
         let cross = middle * way;
         let terms = [middle * middle, cross + cross, way * way];
         for ((sum, size), term) in sum.iter_mut().zip(&mut size).zip(terms) {
-            *sum = if i < P { *sum + term } else { *sum - term };
+            *sum = if i < plus.len() { *sum + term } else { *sum - term };
             *size = *size + term.abs();
         }
     }
@@ -121,7 +118,7 @@ impl<S: Scalar> ParallelBall<S> {
 
     pub(super) fn extent(&self, y: i32) -> Extent {
         let across = constant(self.row_distance(y));
-        extent([constant(self.radius)], [across, self.along], self.columns)
+        extent(&[constant(self.radius)], &[across, self.along], self.columns)
     }
 }
 
@@ -161,6 +158,6 @@ impl<S: Scalar> PencilBall<S> {
 
     pub(super) fn extent(&self, y: i32) -> Extent {
         let reach = vector_row(self.direction, y).map(|part| part.times(self.radius));
-        extent(reach, vector_row(self.moment, y), self.columns)
+        extent(&reach, &vector_row(self.moment, y), self.columns)
     }
 }

@@ -76,12 +76,12 @@ impl<S: Scalar> View for ParallelView<S> {
             Wall::Across { distance, middle, stretch } => {
                 let distance = Affine::row(distance, y);
                 let middle = Affine::row(middle, y);
-                let silhouette = extent(radius, [distance], self.columns);
+                let silhouette = extent(&radius, &[distance], self.columns);
                 (WallRow::Across { distance, middle, stretch }, silhouette)
             }
             Wall::Along { moments } => {
                 let moments = vector_row(moments, y);
-                (WallRow::Along { moments }, extent(radius, moments, self.columns))
+                (WallRow::Along { moments }, extent(&radius, &moments, self.columns))
             }
         };
         Leaf {

@@ -96,7 +96,7 @@ impl<S: Scalar> View for PencilView<S> {
         let ((q0, m0), (q1, m1)) = (axis(q0, m0, right0, down0), axis(q1, m1, right1, down1));
         let reach = Affine::row(self.reach, y);
         let radius = self.radius.fine();
-        let silhouette = extent([m0.times(radius), m1.times(radius)], [reach], self.columns);
+        let silhouette = extent(&[m0.times(radius), m1.times(radius)], &[reach], self.columns);
         Leaf {
             row: PencilRow {
                 moment: [q0, q1],
