@@ -5,24 +5,36 @@
 #[path = "../examples/scene/mod.rs"]
 mod scene;
 
+use scene::{Scene, Tee};
+
 use core::mem::size_of_val;
+use scancsg::geom::Parallel;
 use scancsg::render::{Gray8, Lambert, Picture, PixelFormat, Size};
-use scancsg::solid::Shape;
+use scancsg::scalar::I16F16;
+use scancsg::solid::{Project, Shape};
 use scancsg::span::SpanList;
 use scancsg::stream::packet_capacity;
 
+fn sizes<S: Scene>() -> [usize; 3]
+where
+    Tee<S>: Project<Parallel<S>, Scalar = S>,
+{
+    let camera = S::orthographic().unwrap();
+    let light = Lambert::new(S::TO_LIGHT, S::hundredths(15)).unwrap();
+    let size = Size::new(160, 120).unwrap();
+    let tee = S::TEE;
+    let picture = Picture::new(&tee, &camera, size, light, Gray8(0));
+    let scanline = picture.scanline(0).unwrap();
+    let spans = SpanList::<S, { <Tee<f32> as Shape>::STACK }>::new();
+    [size_of_val(&picture), size_of_val(&scanline), size_of_val(&spans)]
+}
+
 #[test]
 fn a_render_of_tee_needs_little_memory() {
-    let camera = scene::f32::orthographic().unwrap();
-    let light = Lambert::new(scene::f32::TO_LIGHT, 0.15).unwrap();
-    let size = Size::new(160, 120).unwrap();
-    let picture = Picture::new(&scene::f32::TEE, &camera, size, light, Gray8(0));
-    let scanline = picture.scanline(0).unwrap();
-    let spans = SpanList::<f32, { <scene::Tee<f32> as Shape>::STACK }>::new();
-
-    let sizes = [size_of_val(&picture), size_of_val(&scanline), size_of_val(&spans)];
-    println!("picture, scanline, span list: {sizes:?} bytes");
+    let [single, fixed] = [sizes::<f32>(), sizes::<I16F16>()];
+    println!("picture, scanline, span list: {single:?} bytes in f32, {fixed:?} in I16F16");
     // Pointers are half as long on a microcontroller.
-    assert!(sizes.iter().sum::<usize>() <= 2400, "{sizes:?}");
+    assert!(single.iter().sum::<usize>() <= 2400, "{single:?}");
+    assert!(fixed.iter().sum::<usize>() <= 4600, "{fixed:?}");
     assert_eq!(packet_capacity(160, PixelFormat::Gray8), 172);
 }

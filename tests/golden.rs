@@ -1,5 +1,5 @@
 //! Golden pictures: `tee` as text art that a reader can judge, and a hash for every row of a
-//! larger picture that pins down each bit of `f32`.
+//! larger picture that pins down each bit of `f32` and of `I16F16`.
 //!
 //! Run with `SCANCSG_BLESS=1` to write the files anew, and then look at the difference before
 //! it is committed: a picture that changed is either a bug or news for the changelog.
@@ -9,23 +9,28 @@
 #[path = "../examples/scene/mod.rs"]
 mod scene;
 
+use scene::{Scene, Tee};
+
 use scancsg::geom::Rays;
 use scancsg::render::{Camera, Gray8, Lambert, Picture, Pixel, Shader, Size, XRay};
+use scancsg::scalar::{I16F16, Number, Real, Scalar};
 use scancsg::solid::Project;
 use scancsg::span::SpanList;
 use std::fmt::Write as _;
 use std::path::Path;
 
 /// The rows of `tee` in grey.
-fn rows<C, H>(camera: &C, shader: H, width: u16, height: u16) -> Vec<Vec<u8>>
+fn rows<S, C, H>(camera: &C, shader: H, width: u16, height: u16) -> Vec<Vec<u8>>
 where
-    C: Camera<Rays: Rays<Scalar = f32>>,
-    H: Shader<f32>,
-    scene::Tee<f32>: Project<C::Rays, Scalar = f32>,
+    S: Scene,
+    C: Camera<Rays: Rays<Scalar = S>>,
+    H: Shader<S>,
+    Tee<S>: Project<C::Rays, Scalar = S>,
 {
     let size = Size::new(width, height).unwrap();
-    let picture = Picture::new(&scene::f32::TEE, camera, size, shader, Gray8(0));
-    let mut list = SpanList::<f32, 64>::new();
+    let tee = S::TEE;
+    let picture = Picture::new(&tee, camera, size, shader, Gray8(0));
+    let mut list = SpanList::<S, 64>::new();
     let mut row = vec![Gray8(0); width.into()];
     let render = |scanline: scancsg::render::Scanline<'_, '_, _, _, _, _>| {
         scanline.render(&mut list, &mut row).unwrap();
@@ -72,39 +77,56 @@ fn golden(name: &str, got: &str) {
     );
 }
 
-fn lambert() -> Lambert<f32> {
-    Lambert::new(scene::f32::TO_LIGHT, 0.125).unwrap()
+/// An ambient light of 1/8, which every number type has exactly.
+fn lambert<S: Scene>() -> Lambert<S> {
+    let eighth = Fine::<S>::ONE / Fine::<S>::from_int(8);
+    Lambert::new(S::TO_LIGHT, S::from_fine(eighth)).unwrap()
+}
+
+type Fine<S> = <S as Scalar>::Fine;
+
+fn orthographic<S: Scene>(width: u16, height: u16) -> Vec<Vec<u8>> {
+    rows(&S::orthographic().unwrap(), lambert::<S>(), width, height)
+}
+
+fn perspective<S: Scene>(width: u16, height: u16) -> Vec<Vec<u8>> {
+    rows(&S::perspective().unwrap(), lambert::<S>(), width, height)
 }
 
 #[test]
 fn lambert_orthographic() {
-    let camera = scene::f32::orthographic().unwrap();
-    golden("tee_lambert_orthographic.txt", &art(&rows(&camera, lambert(), 48, 36)));
+    golden("tee_lambert_orthographic.txt", &art(&orthographic::<f32>(48, 36)));
 }
 
 #[test]
 fn lambert_perspective() {
-    let camera = scene::f32::perspective().unwrap();
-    golden("tee_lambert_perspective.txt", &art(&rows(&camera, lambert(), 48, 36)));
+    golden("tee_lambert_perspective.txt", &art(&perspective::<f32>(48, 36)));
+}
+
+/// To the eye the number types show the same picture.
+#[test]
+fn lambert_in_fixed_point() {
+    golden("tee_lambert_orthographic.txt", &art(&orthographic::<I16F16>(48, 36)));
+    golden("tee_lambert_perspective.txt", &art(&perspective::<I16F16>(48, 36)));
 }
 
 #[test]
 fn xray_orthographic() {
-    let camera = scene::f32::orthographic().unwrap();
+    let camera = f32::orthographic().unwrap();
     let xray = XRay::new(3.0).unwrap();
     golden("tee_xray_orthographic.txt", &art(&rows(&camera, xray, 48, 36)));
 }
 
 #[test]
 fn row_hashes_orthographic() {
-    let camera = scene::f32::orthographic().unwrap();
-    golden("tee_160x120_orthographic.txt", &hashes(&rows(&camera, lambert(), 160, 120)));
+    golden("tee_160x120_orthographic.txt", &hashes(&orthographic::<f32>(160, 120)));
+    golden("tee_160x120_orthographic_i16f16.txt", &hashes(&orthographic::<I16F16>(160, 120)));
 }
 
 #[test]
 fn row_hashes_perspective() {
-    let camera = scene::f32::perspective().unwrap();
-    golden("tee_160x120_perspective.txt", &hashes(&rows(&camera, lambert(), 160, 120)));
+    golden("tee_160x120_perspective.txt", &hashes(&perspective::<f32>(160, 120)));
+    golden("tee_160x120_perspective_i16f16.txt", &hashes(&perspective::<I16F16>(160, 120)));
 }
 
 /// The catalogue's check value: the hash is the one that other tools call CRC-32.
