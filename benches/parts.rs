@@ -7,13 +7,16 @@
 mod scene;
 
 use divan::{Bencher, black_box, counter::ItemsCount};
-use scancsg::geom::{Line, Ray, vec3};
+use scancsg::geom::{Line, Parallel, Pencil, Ray, Vec3};
 use scancsg::render::{Camera, Gray8, Lambert, Picture, PixelFormat, Size};
-use scancsg::solid::{Cylinder, Project, Shape, Solid};
+use scancsg::scalar::I16F16;
+use scancsg::solid::{Project, Shape, Solid};
 use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
 use scancsg::stream::{Decoder, encode_row, packet_capacity};
 
-const SPANS: usize = <scene::Tee<f32> as Shape>::STACK;
+use scene::{Scene, Tee};
+
+const SPANS: usize = <Tee<f32> as Shape>::STACK;
 const SIZE: (u16, u16) = (160, 120);
 const PACKET: usize = packet_capacity(SIZE.0, PixelFormat::Gray8);
 
@@ -21,12 +24,16 @@ fn main() {
     divan::main();
 }
 
+fn vector<S: Scene>(hundredths: [i32; 3]) -> Vec3<S> {
+    Vec3::from(hundredths.map(S::hundredths))
+}
+
 /// A ray at a cylinder, as it is: ray and query.
-#[divan::bench]
-fn cylinder_ray_and_query(bencher: Bencher<'_, '_>) {
-    let cylinder = Cylinder::<f32>::along_x(0.0, 0.0, 1.0, -2.0, 2.0).unwrap();
-    let (origin, direction) = (vec3(3.0, 4.0, 5.0), vec3(-0.5, -0.7, -0.9));
-    let mut list = SpanList::<f32, 1>::new();
+#[divan::bench(types = [f32, f64, I16F16])]
+fn cylinder_ray_and_query<S: Scene>(bencher: Bencher<'_, '_>) {
+    let [cylinder, ..] = S::BODY;
+    let (origin, direction) = (vector::<S>([300, 400, 500]), vector::<S>([-50, -70, -90]));
+    let mut list = SpanList::<S, 1>::new();
     bencher.bench_local(|| {
         let ray = Ray::new(black_box(origin), black_box(direction));
         ray.map(|ray| cylinder.trace(&ray, &mut list).len())
@@ -34,12 +41,13 @@ fn cylinder_ray_and_query(bencher: Bencher<'_, '_>) {
 }
 
 /// A prepared line at the whole part: ten cylinders and their merge.
-#[divan::bench]
-fn tee_line(bencher: Bencher<'_, '_>) {
-    let line = Line { origin: vec3(3.0f32, 2.5, 4.0), direction: vec3(-0.5f32, -0.4, -0.7) };
-    let mut list = SpanList::<f32, SPANS>::new();
+#[divan::bench(types = [f32, f64, I16F16])]
+fn tee_line<S: Scene>(bencher: Bencher<'_, '_>) {
+    let line = Line { origin: vector([300, 250, 400]), direction: vector([-50, -40, -70]) };
+    let tee: Tee<S> = S::TEE;
+    let mut list = SpanList::<S, SPANS>::new();
     bencher.bench_local(|| {
-        scene::f32::TEE.line_spans(black_box(&line), &mut list);
+        tee.spans(black_box(&line), Face(0), &mut list.stack());
         list.len()
     });
 }
@@ -64,22 +72,33 @@ fn merge_spans<const N: usize>(bencher: Bencher<'_, '_>) {
 }
 
 /// Getting ready for a picture: once per frame.
-#[divan::bench]
-fn tee_view(bencher: Bencher<'_, '_>) {
-    let rays = scene::f32::orthographic().unwrap().rays(Size::new(SIZE.0, SIZE.1).unwrap());
+#[divan::bench(types = [f32, I16F16])]
+fn tee_view<S: Scene>(bencher: Bencher<'_, '_>)
+where
+    Tee<S>: Project<Parallel<S>>,
+{
+    let rays = S::orthographic().unwrap().rays(Size::new(SIZE.0, SIZE.1).unwrap());
+    let tee = S::TEE;
     bencher.bench_local(|| {
-        black_box(scene::f32::TEE.view(black_box(&rays)));
+        black_box(tee.view(black_box(&rays)));
     });
 }
 
+fn light<S: Scene>() -> Lambert<S> {
+    Lambert::new(S::TO_LIGHT, S::hundredths(15)).unwrap()
+}
+
 /// The row through the middle of the part.
-#[divan::bench]
-fn tee_row(bencher: Bencher<'_, '_>) {
-    let camera = scene::f32::orthographic().unwrap();
-    let light = Lambert::new(scene::f32::TO_LIGHT, 0.15).unwrap();
+#[divan::bench(types = [f32, I16F16])]
+fn tee_row<S: Scene>(bencher: Bencher<'_, '_>)
+where
+    Tee<S>: Project<Parallel<S>, Scalar = S>,
+{
+    let camera = S::orthographic().unwrap();
     let size = Size::new(SIZE.0, SIZE.1).unwrap();
-    let picture = Picture::new(&scene::f32::TEE, &camera, size, light, Gray8(0));
-    let mut list = SpanList::<f32, SPANS>::new();
+    let tee = S::TEE;
+    let picture = Picture::new(&tee, &camera, size, light::<S>(), Gray8(0));
+    let mut list = SpanList::<S, SPANS>::new();
     let mut pixels = [Gray8(0); SIZE.0 as usize];
     bencher.counter(ItemsCount::new(SIZE.0)).bench_local(|| {
         picture.scanline(black_box(60)).and_then(|row| row.render(&mut list, &mut pixels))
@@ -87,25 +106,27 @@ fn tee_row(bencher: Bencher<'_, '_>) {
 }
 
 /// A whole frame, by camera.
-#[divan::bench(args = ["orthographic", "perspective"])]
-fn tee_frame(bencher: Bencher<'_, '_>, camera: &str) {
-    let light = Lambert::new(scene::f32::TO_LIGHT, 0.15).unwrap();
+#[divan::bench(types = [f32, I16F16], args = ["orthographic", "perspective"])]
+fn tee_frame<S: Scene>(bencher: Bencher<'_, '_>, camera: &str)
+where
+    Tee<S>: Project<Parallel<S>, Scalar = S> + Project<Pencil<S>, Scalar = S>,
+{
     let size = Size::new(SIZE.0, SIZE.1).unwrap();
-    let mut list = SpanList::<f32, SPANS>::new();
+    let tee = S::TEE;
+    let mut list = SpanList::<S, SPANS>::new();
     let mut pixels = [Gray8(0); SIZE.0 as usize];
     let bencher = bencher.counter(ItemsCount::new(u32::from(SIZE.0) * u32::from(SIZE.1)));
     macro_rules! frames {
         ($camera:expr) => {
             bencher.bench_local(|| {
-                let tee = &scene::f32::TEE;
-                let picture = Picture::new(tee, black_box(&$camera), size, light, Gray8(0));
+                let picture = Picture::new(&tee, black_box(&$camera), size, light::<S>(), Gray8(0));
                 picture.scanlines().try_for_each(|row| row.render(&mut list, &mut pixels))
             })
         };
     }
     match camera {
-        "orthographic" => frames!(scene::f32::orthographic().unwrap()),
-        _ => frames!(scene::f32::perspective().unwrap()),
+        "orthographic" => frames!(S::orthographic().unwrap()),
+        _ => frames!(S::perspective().unwrap()),
     }
 }
 

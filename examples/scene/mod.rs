@@ -18,6 +18,8 @@ pub type PaintedTee<S> = Difference<Painted<[Cylinder<S>; 4]>, Painted<[Cylinder
 /// What a user who chooses the number type by a type parameter asks for. The modules below have
 /// the same by number type.
 pub trait Scene: Intersect {
+    /// What there is of the part.
+    const BODY: [Cylinder<Self>; 4];
     /// The part.
     const TEE: Tee<Self>;
     /// The part in two colours.
@@ -44,7 +46,7 @@ macro_rules! tee {
             /// The number type.
             pub type Scalar = $scalar;
 
-            const BODY: [Cylinder<Scalar>; 4] = [
+            pub(super) const BODY: [Cylinder<Scalar>; 4] = [
                 constant!(Cylinder::<Scalar>::along_x(n(0), n(0), n(100), n(-200), n(200))),
                 constant!(Cylinder::<Scalar>::along_x(n(0), n(0), n(160), n(-200), n(-170))),
                 constant!(Cylinder::<Scalar>::along_x(n(0), n(0), n(160), n(170), n(200))),
@@ -96,6 +98,7 @@ macro_rules! tee {
         }
 
         impl Scene for $scalar {
+            const BODY: [Cylinder<Self>; 4] = $module::BODY;
             const TEE: Tee<Self> = $module::TEE;
             const PAINTED_TEE: PaintedTee<Self> = $module::PAINTED_TEE;
             const TO_LIGHT: Vec3<Self> = $module::TO_LIGHT;
