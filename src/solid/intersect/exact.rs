@@ -5,9 +5,11 @@
 //! discriminant is known exactly; so is on which side of a root any fraction lies, which makes
 //! correctly rounded parameters out of approximate ones.
 //!
-//! Along a coordinate axis, and for spheres, 128 bits hold everything: coordinates are at most 2²⁸
-//! units (differences 2²⁹), directions 2³⁰, so a < 2⁶², b < 2⁶¹, c < 2⁶¹, and with parameters of 32
-//! bits and a half `a t²` stays below 2¹²⁶. An oblique axis has 28 bits more, and needs 256 bits.
+//! Along a coordinate axis, and for spheres, 128 bits hold everything. Solids are within 2²⁸ units;
+//! rays start there too and have directions up to 2³⁰, and when they are turned into a placed
+//! solid's frame, less than 2³⁰ and |d|² ≤ 2⁶² remain, which is checked. So a ≤ 2⁶², |b| and |c| < 2⁶³,
+//! and with parameters of 32 bits and a half `a t²` is at most 2¹²⁶. An oblique axis has 28 bits
+//! more, and needs 256 bits.
 
 use super::{Intersect, Meeting, Passage};
 use crate::geom::{Direction, Line, Vec3};
@@ -27,28 +29,82 @@ trait Wide:
     + Mul<Output = Self>
     + Neg<Output = Self>
 {
-    /// A number ≥ 0 as `mantissa · 2^exponent`, cut off, with an even exponent and 126 or 127
-    /// significant bits (or 0).
-    fn normalized(self) -> (u128, i32);
+    /// The absolute value as `mantissa · 2^exponent`, with the highest bit of the mantissa set
+    /// unless it is 0, and the rest cut off.
+    fn magnitude(self) -> Magnitude;
 }
 
 impl Wide for i128 {
     #[inline]
-    fn normalized(self) -> (u128, i32) {
-        let spare = (self.leading_zeros().max(1) - 1) & !1;
-        (self.unsigned_abs() << spare, -(spare as i32))
+    fn magnitude(self) -> Magnitude {
+        Magnitude::of(self.unsigned_abs())
     }
 }
 
 impl Wide for I256 {
+    fn magnitude(self) -> Magnitude {
+        let bits = self.unsigned_abs();
+        let surplus = 128u32.saturating_sub(bits.leading_zeros());
+        let Magnitude { mantissa, exponent } = Magnitude::of((bits >> surplus).as_u128());
+        Magnitude { mantissa, exponent: exponent + surplus as i32 }
+    }
+}
+
+/// `mantissa · 2^exponent`: about a number above zero, or 0.
+#[derive(Clone, Copy)]
+struct Magnitude {
+    mantissa: u64,
+    exponent: i32,
+}
+
+impl Magnitude {
     #[inline]
-    fn normalized(self) -> (u128, i32) {
-        let bits = 256 - self.leading_zeros() as i32;
-        if bits <= 127 {
-            return self.as_i128().normalized();
-        }
-        let surplus = (bits - 126) & !1;
-        ((self >> surplus.unsigned_abs()).as_u128(), surplus)
+    fn of(bits: u128) -> Self {
+        let spare = bits.leading_zeros();
+        let mantissa = (bits.checked_shl(spare).unwrap_or(0) >> 64) as u64;
+        Self { mantissa, exponent: 64 - spare as i32 }
+    }
+
+    /// The square root, with 31 correct bits.
+    fn sqrt(self) -> Self {
+        let odd = self.exponent & 1;
+        let root = (self.mantissa >> odd).isqrt();
+        Self { mantissa: root << 32, exponent: (self.exponent + odd) / 2 - 32 }.aligned()
+    }
+
+    /// The same with the mantissa's highest bit set.
+    fn aligned(self) -> Self {
+        let spare = self.mantissa.leading_zeros();
+        let mantissa = self.mantissa.checked_shl(spare).unwrap_or(0);
+        Self { mantissa, exponent: self.exponent - spare as i32 }
+    }
+
+    fn plus(self, other: Self) -> Self {
+        let (large, small) =
+            if self.exponent >= other.exponent && self.mantissa > 0 || other.mantissa == 0 {
+                (self, other)
+            } else {
+                (other, self)
+            };
+        let apart = (large.exponent - small.exponent).unsigned_abs() + 1;
+        let small = small.mantissa.checked_shr(apart).unwrap_or(0);
+        Self { mantissa: (large.mantissa >> 1) + small, exponent: large.exponent + 1 }.aligned()
+    }
+
+    /// `self / other` in units of 2^−`digits`, cut off and at most 2^52, with a relative error of less
+    /// than 2^−29.
+    fn over(self, other: Self, digits: i32) -> i64 {
+        let quotient = self.mantissa.checked_div(other.mantissa >> 32).unwrap_or(u64::MAX);
+        let exponent = self.exponent - other.exponent - 32 + digits;
+        let most = 1 << 52;
+        let quotient = if exponent <= 0 {
+            quotient.checked_shr(exponent.unsigned_abs()).unwrap_or(0)
+        } else if exponent.unsigned_abs() < quotient.leading_zeros() {
+            quotient << exponent
+        } else {
+            most
+        };
+        quotient.min(most).cast_signed()
     }
 }
 
@@ -67,6 +123,9 @@ enum Root {
     Enter,
     Exit,
 }
+
+/// Binary digits that approximate roots have beyond those of the grid.
+const GUARD: u32 = 16;
 
 impl<W: Wide> Quadratic<W> {
     /// Whether the quadratic's root is above the fraction, or at it.
@@ -90,32 +149,24 @@ impl<W: Wide> Quadratic<W> {
     /// Both roots on the grid of `fraction` bits, rounded to nearest, halves upwards; two
     /// different numbers for a discriminant above zero.
     fn roots(&self, fraction: u32) -> [i32; 2] {
-        let (root, to_root) = self.discriminant.normalized();
-        let (root, to_root) = (root.isqrt(), to_root / 2);
-        let (a, to_a) = self.a.normalized();
-        let a = a >> 64;
-        // Eight digits more than the grid has.
-        let over_a = |number: u128, exponent: i32| {
-            let quotient = number.checked_div(a).unwrap_or(u128::MAX);
-            let exponent = exponent - 64 - to_a + fraction as i32 + 8;
-            let quotient = if exponent <= 0 {
-                quotient.checked_shr(exponent.unsigned_abs()).unwrap_or(0)
-            } else if exponent.unsigned_abs() < quotient.leading_zeros() {
-                quotient << exponent
-            } else {
-                u128::MAX
-            };
-            quotient.min(1 << 100).cast_signed()
+        // As in floating point: s/a and c/s with s = |b| + √D, where nothing cancels.
+        let zero = W::from(0);
+        let digits = (fraction + GUARD) as i32;
+        let s = self.b.magnitude().plus(self.discriminant.magnitude().sqrt());
+        let far = s.over(self.a.magnitude(), digits);
+        let near = self.c.magnitude().over(s, digits);
+        let near = if self.c < zero { -near } else { near };
+        let [enter, exit] = if self.b == zero {
+            [-far, far]
+        } else if self.b > zero {
+            [-far, -near]
+        } else {
+            [near, far]
         };
-        let half = over_a(root << 63, to_root - 63);
-        let is_negative = self.b < W::from(0);
-        let (b, to_b) = if is_negative { -self.b } else { self.b }.normalized();
-        let middle = over_a(b, to_b);
-        let middle = if is_negative { middle } else { -middle };
 
-        let enter = self.nearest(Root::Enter, middle - half, fraction);
-        let exit = self.nearest(Root::Exit, middle + half, fraction);
-        if enter < exit || self.discriminant <= W::from(0) {
+        let enter = self.nearest(Root::Enter, enter, fraction);
+        let exit = self.nearest(Root::Exit, exit, fraction);
+        if enter < exit || self.discriminant <= zero {
             return [enter, exit];
         }
         // The span is shorter than the grid's step: it grows on the side that is nearer.
@@ -126,68 +177,106 @@ impl<W: Wide> Quadratic<W> {
         }
     }
 
-    /// The number of the grid nearest to a root that is known to within a unit or two, with
-    /// eight more digits; held inside the grid's range.
-    fn nearest(&self, root: Root, roughly: i128, fraction: u32) -> i32 {
-        const LIMIT: i128 = 1 << 31;
-        let start = ((roughly + 128) >> 8).clamp(-LIMIT, LIMIT);
-        let is_at_or_above_half = |t: i128| self.is_at_or_above(root, 2 * t + 1, 2 << fraction);
-        let mut t = start;
-        while t < LIMIT && is_at_or_above_half(t) {
-            t += 1;
+    /// The number of the grid nearest to a root that is known with [`GUARD`] more digits and a
+    /// relative error of 2^−29; held inside the grid's range.
+    fn nearest(&self, root: Root, roughly: i64, fraction: u32) -> i32 {
+        const LIMIT: i64 = 1 << 31;
+        let raised = roughly + (1 << (GUARD - 1));
+        let error = (roughly.abs() >> 29) + 2;
+        let beyond = raised & ((1 << GUARD) - 1);
+        let mut t = (raised >> GUARD).clamp(-LIMIT, LIMIT);
+        if beyond < error || beyond > (1 << GUARD) - 1 - error {
+            // Too near to the middle between two numbers: only the quadratic itself can tell.
+            let is_at_or_above_half =
+                |t: i64| self.is_at_or_above(root, (2 * t + 1).into(), 2 << fraction);
+            while t < LIMIT && is_at_or_above_half(t) {
+                t += 1;
+            }
+            while t > -LIMIT && !is_at_or_above_half(t - 1) {
+                t -= 1;
+            }
         }
-        while t > -LIMIT && !is_at_or_above_half(t - 1) {
-            t -= 1;
-        }
-        t.clamp(i32::MIN.into(), i32::MAX.into()) as i32
+        whole::narrow(t)
     }
 }
 
-fn dot<const N: usize>(x: [i128; N], y: [i128; N]) -> i128 {
+fn dot<const N: usize>(x: [i64; N], y: [i64; N]) -> i64 {
     x.into_iter().zip(y).map(|(x, y)| x * y).sum()
 }
 
-fn cross([x0, x1, x2]: [i128; 3], [y0, y1, y2]: [i128; 3]) -> [i128; 3] {
+fn cross([x0, x1, x2]: [i64; 3], [y0, y1, y2]: [i64; 3]) -> [i64; 3] {
     [x1 * y2 - x2 * y1, x2 * y0 - x0 * y2, x0 * y1 - x1 * y0]
 }
 
-fn bits<F: Fraction>(v: Vec3<FixedI32<F>>) -> [i128; 3] {
-    v.to_array().map(|coordinate| i128::from(coordinate.to_bits()))
+/// `x·y` of numbers whose products need more than 64 bits.
+fn wide_dot([x0, x1, x2]: [i64; 3], [y0, y1, y2]: [i64; 3]) -> i128 {
+    let product = |x: i64, y: i64| i128::from(x) * i128::from(y);
+    product(x0, y0) + product(x1, y1) + product(x2, y2)
+}
+
+fn bits<F: Fraction>(v: Vec3<FixedI32<F>>) -> [i64; 3] {
+    v.to_array().map(|coordinate| i64::from(coordinate.to_bits()))
+}
+
+/// Whether a line is one that this module's integers have room for. All rays are; lines of a
+/// caller's own need not be, and they meet nothing.
+fn is_in_range<F: Fraction>(line: &Line<FixedI32<F>>) -> bool {
+    let square = |x: i64| x.unsigned_abs() * x.unsigned_abs();
+    let [dx, dy, dz] = bits(line.direction);
+    let far = bits(line.origin).into_iter().any(|x| x.unsigned_abs() >= 1 << 30);
+    !far && square(dx) + square(dy) + square(dz) <= 1 << 62
+}
+
+/// The square of a length.
+fn square<F: Fraction>(length: FixedI32<F>) -> i64 {
+    i64::from(length.to_bits()) * i64::from(length.to_bits())
 }
 
 /// The way from one point to another, in units.
-fn way<F: Fraction>(from: Vec3<FixedI32<F>>, to: Vec3<FixedI32<F>>) -> [i128; 3] {
+fn way<F: Fraction>(from: Vec3<FixedI32<F>>, to: Vec3<FixedI32<F>>) -> [i64; 3] {
     let ([x0, y0, z0], [x1, y1, z1]) = (bits(from), bits(to));
     [x1 - x0, y1 - y0, z1 - z0]
 }
 
 /// |q + t·m|² − r² for a line in the plane across a coordinate axis.
-fn round<F: Fraction>(q: [i128; 2], m: [i128; 2], radius: FixedI32<F>) -> Quadratic<i128> {
-    let square = i128::from(radius.to_bits()).pow(2);
-    let (a, k) = (dot(m, m), dot(q, [m[1], -m[0]]));
-    Quadratic { a, b: dot(q, m), c: dot(q, q) - square, discriminant: square * a - k * k }
+fn round<F: Fraction>(q: [i64; 2], m: [i64; 2], radius: FixedI32<F>) -> Quadratic<i128> {
+    let (square, a, k) = (square(radius), dot(m, m), dot(q, [m[1], -m[0]]));
+    let product = |x: i64, y: i64| i128::from(x) * i128::from(y);
+    Quadratic {
+        a: a.into(),
+        b: dot(q, m).into(),
+        c: (dot(q, q) - square).into(),
+        discriminant: product(square, a) - product(k, k),
+    }
+}
+
+/// |u + t·d|² − r².
+fn ball<F: Fraction>(u: [i64; 3], d: [i64; 3], radius: FixedI32<F>) -> Quadratic<i128> {
+    let (square, a, k) = (square(radius), dot(d, d), cross(u, d));
+    Quadratic {
+        a: a.into(),
+        b: dot(u, d).into(),
+        c: (dot(u, u) - square).into(),
+        discriminant: i128::from(square) * i128::from(a) - wide_dot(k, k),
+    }
 }
 
 /// |(u + t·d) × A|² − r²|A|² for an axis A.
 fn oblique<F: Fraction>(
-    u: [i128; 3],
-    d: [i128; 3],
-    axis: [i128; 3],
+    u: [i64; 3],
+    d: [i64; 3],
+    axis: [i64; 3],
     radius: FixedI32<F>,
 ) -> Quadratic<I256> {
     let (q, m) = (cross(u, axis), cross(d, axis));
-    let wide = |x: [i128; 3], y: [i128; 3]| {
-        let [x0, x1, x2] = x.map(I256::from);
-        let [y0, y1, y2] = y.map(I256::from);
-        x0 * y0 + x1 * y1 + x2 * y2
-    };
-    let square = I256::from(i128::from(radius.to_bits()).pow(2));
+    let square = I256::from(square(radius));
     let length_squared = I256::from(dot(axis, axis));
-    let (a, k) = (wide(m, m), wide(u, m));
+    let [a, b, c, k] = [wide_dot(m, m), wide_dot(q, m), wide_dot(q, q), wide_dot(u, m)];
+    let [a, b, c, k] = [a, b, c, k].map(I256::from);
     Quadratic {
         a,
-        b: wide(q, m),
-        c: wide(q, q) - square * length_squared,
+        b,
+        c: c - square * length_squared,
         // |q × m|² = |A|² (u·m)², because q and m are at right angles to A.
         discriminant: length_squared * (square * a - k * k),
     }
@@ -235,15 +324,15 @@ fn meeting<F: Fraction, W: Wide>(quadratic: &Quadratic<W>) -> Meeting<FixedI32<F
 
 /// Where a line crosses a slab's planes: at `heights / speed`, in whole numbers.
 struct Planes {
-    heights: [i128; 2],
-    speed: i128,
+    heights: [i64; 2],
+    speed: i64,
 }
 
 impl Planes {
     fn new<F: Fraction>(slab: &Slab<FixedI32<F>>, line: &Line<FixedI32<F>>) -> Self {
         let normal = bits(slab.normal.vector());
         let at_zero = dot(normal, bits(line.origin));
-        let height = |offset: FixedI32<F>| (i128::from(offset.to_bits()) << 28) - at_zero;
+        let height = |offset: FixedI32<F>| (i64::from(offset.to_bits()) << 28) - at_zero;
         let planes = Self {
             heights: [height(slab.low), height(slab.high)],
             speed: dot(normal, bits(line.direction)),
@@ -256,7 +345,7 @@ impl Planes {
     }
 
     /// The fractions at which the line crosses the planes, in ascending order.
-    fn ascending(&self) -> [i128; 2] {
+    fn ascending(&self) -> [i64; 2] {
         let [low, high] = self.heights;
         if self.speed > 0 { [low, high] } else { [high, low] }
     }
@@ -265,9 +354,8 @@ impl Planes {
 /// Whether the line is inside the quadratic and between the planes for some time.
 fn overlap<W: Wide>(quadratic: &Quadratic<W>, planes: &Planes) -> bool {
     let [first, last] = planes.ascending();
-    let speed = planes.speed;
-    let (first, last, speed) =
-        if speed > 0 { (first, last, speed) } else { (-first, -last, -speed) };
+    let sign = planes.speed.signum();
+    let [first, last, speed] = [first, last, planes.speed].map(|x| i128::from(x * sign));
     if quadratic.is_inside(first, speed) || quadratic.is_inside(last, speed) {
         return true;
     }
@@ -282,6 +370,9 @@ fn overlap<W: Wide>(quadratic: &Quadratic<W>, planes: &Planes) -> bool {
 
 impl<F: Fraction> Intersect for FixedI32<F> {
     fn meet_tube(tube: &Tube<Self>, axis: &Direction<Self>, line: &Line<Self>) -> Meeting<Self> {
+        if !is_in_range(line) {
+            return Meeting::Beside;
+        }
         match Section::new(tube, axis, line) {
             Section::Round(quadratic) => meeting(&quadratic),
             Section::Oblique(quadratic) => meeting(&quadratic),
@@ -289,23 +380,25 @@ impl<F: Fraction> Intersect for FixedI32<F> {
     }
 
     fn meet_ball(center: Vec3<Self>, radius: Self, line: &Line<Self>) -> Option<[Self; 2]> {
-        let (u, d) = (way(center, line.origin), bits(line.direction));
-        let square = i128::from(radius.to_bits()).pow(2);
-        let (a, k) = (dot(d, d), cross(u, d));
-        let discriminant = square * a - dot(k, k);
-        let quadratic = Quadratic { a, b: dot(u, d), c: dot(u, u) - square, discriminant };
-        (discriminant > 0).then(|| quadratic.roots(F::BITS).map(Self::from_bits))
+        if !is_in_range(line) {
+            return None;
+        }
+        let quadratic = ball(way(center, line.origin), bits(line.direction), radius);
+        (quadratic.discriminant > 0).then(|| quadratic.roots(F::BITS).map(Self::from_bits))
     }
 
     fn pass(slab: &Slab<Self>, line: &Line<Self>) -> Passage<Self> {
+        if !is_in_range(line) {
+            return Passage::Along { inside: false };
+        }
         let planes = Planes::new(slab, line);
         let [low, high] = planes.heights;
         if planes.speed == 0 {
             let inside = slab.has(low <= 0, low < 0) && slab.has(0 < high, 0 <= high);
             return Passage::Along { inside };
         }
-        let at = |height: i128| {
-            let t = whole::divide(height << F::BITS, planes.speed);
+        let at = |height: i64| {
+            let t = whole::divide(i128::from(height) << F::BITS, planes.speed.into());
             t.clamp(i32::MIN.into(), i32::MAX.into()) as i32
         };
         let (low, high, upwards) = (at(low), at(high), planes.speed > 0);
