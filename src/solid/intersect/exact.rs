@@ -11,194 +11,13 @@
 //! and with parameters of 32 bits and a half `a t²` is at most 2¹²⁶. An oblique axis has 28 bits
 //! more, and needs 256 bits.
 
+use super::quadratic::{Quadratic, Wide};
 use super::{Intersect, Meeting, Passage};
 use crate::geom::{Direction, Line, Vec3};
 use crate::scalar::{FixedI32, Fraction, Scalar, whole};
 use crate::solid::cylinder::Tube;
 use crate::solid::slab::Slab;
-use core::ops::{Add, Mul, Neg, Sub};
 use ethnum::I256;
-
-/// A signed integer wide enough for its use.
-trait Wide:
-    Copy
-    + Ord
-    + From<i128>
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Neg<Output = Self>
-{
-    /// The absolute value as `mantissa · 2^exponent`, with the highest bit of the mantissa set
-    /// unless it is 0, and the rest cut off.
-    fn magnitude(self) -> Magnitude;
-}
-
-impl Wide for i128 {
-    #[inline]
-    fn magnitude(self) -> Magnitude {
-        Magnitude::of(self.unsigned_abs())
-    }
-}
-
-impl Wide for I256 {
-    fn magnitude(self) -> Magnitude {
-        let bits = self.unsigned_abs();
-        let surplus = 128u32.saturating_sub(bits.leading_zeros());
-        let Magnitude { mantissa, exponent } = Magnitude::of((bits >> surplus).as_u128());
-        Magnitude { mantissa, exponent: exponent + surplus as i32 }
-    }
-}
-
-/// `mantissa · 2^exponent`: about a number above zero, or 0.
-#[derive(Clone, Copy)]
-struct Magnitude {
-    mantissa: u64,
-    exponent: i32,
-}
-
-impl Magnitude {
-    #[inline]
-    fn of(bits: u128) -> Self {
-        let spare = bits.leading_zeros();
-        let mantissa = (bits.checked_shl(spare).unwrap_or(0) >> 64) as u64;
-        Self { mantissa, exponent: 64 - spare as i32 }
-    }
-
-    /// The square root, with 31 correct bits.
-    fn sqrt(self) -> Self {
-        let odd = self.exponent & 1;
-        let root = (self.mantissa >> odd).isqrt();
-        Self { mantissa: root << 32, exponent: (self.exponent + odd) / 2 - 32 }.aligned()
-    }
-
-    /// The same with the mantissa's highest bit set.
-    fn aligned(self) -> Self {
-        let spare = self.mantissa.leading_zeros();
-        let mantissa = self.mantissa.checked_shl(spare).unwrap_or(0);
-        Self { mantissa, exponent: self.exponent - spare as i32 }
-    }
-
-    fn plus(self, other: Self) -> Self {
-        let (large, small) =
-            if self.exponent >= other.exponent && self.mantissa > 0 || other.mantissa == 0 {
-                (self, other)
-            } else {
-                (other, self)
-            };
-        let apart = (large.exponent - small.exponent).unsigned_abs() + 1;
-        let small = small.mantissa.checked_shr(apart).unwrap_or(0);
-        Self { mantissa: (large.mantissa >> 1) + small, exponent: large.exponent + 1 }.aligned()
-    }
-
-    /// `self / other` in units of 2^−`digits`, cut off and at most 2^52, with a relative error of less
-    /// than 2^−29.
-    fn over(self, other: Self, digits: i32) -> i64 {
-        let quotient = self.mantissa.checked_div(other.mantissa >> 32).unwrap_or(u64::MAX);
-        let exponent = self.exponent - other.exponent - 32 + digits;
-        let most = 1 << 52;
-        let quotient = if exponent <= 0 {
-            quotient.checked_shr(exponent.unsigned_abs()).unwrap_or(0)
-        } else if exponent.unsigned_abs() < quotient.leading_zeros() {
-            quotient << exponent
-        } else {
-            most
-        };
-        quotient.min(most).cast_signed()
-    }
-}
-
-/// `a t² + 2 b t + c`, for t in parameters of the line: not in units of the grid.
-struct Quadratic<W> {
-    a: W,
-    b: W,
-    c: W,
-    /// `b² − a·c`.
-    discriminant: W,
-}
-
-/// Which root: the one where the line enters, or the one where it exits.
-#[derive(Clone, Copy, PartialEq)]
-enum Root {
-    Enter,
-    Exit,
-}
-
-/// Binary digits that approximate roots have beyond those of the grid.
-const GUARD: u32 = 16;
-
-impl<W: Wide> Quadratic<W> {
-    /// Whether the quadratic's root is above the fraction, or at it.
-    fn is_at_or_above(&self, root: Root, numerator: i128, denominator: i128) -> bool {
-        let (n, d) = (W::from(numerator), W::from(denominator));
-        let zero = W::from(0);
-        let ascent = self.a * n + self.b * d;
-        let value = n * (ascent + self.b * d) + self.c * d * d;
-        match root {
-            Root::Enter => value >= zero && ascent <= zero,
-            Root::Exit => value <= zero || ascent <= zero,
-        }
-    }
-
-    /// Whether the value at a fraction is below zero: the line is inside there.
-    fn is_inside(&self, numerator: i128, denominator: i128) -> bool {
-        let (n, d) = (W::from(numerator), W::from(denominator));
-        n * (self.a * n + self.b * d + self.b * d) + self.c * d * d < W::from(0)
-    }
-
-    /// Both roots on the grid of `fraction` bits, rounded to nearest, halves upwards; two
-    /// different numbers for a discriminant above zero.
-    fn roots(&self, fraction: u32) -> [i32; 2] {
-        // As in floating point: s/a and c/s with s = |b| + √D, where nothing cancels.
-        let zero = W::from(0);
-        let digits = (fraction + GUARD) as i32;
-        let s = self.b.magnitude().plus(self.discriminant.magnitude().sqrt());
-        let far = s.over(self.a.magnitude(), digits);
-        let near = self.c.magnitude().over(s, digits);
-        let near = if self.c < zero { -near } else { near };
-        let [enter, exit] = if self.b == zero {
-            [-far, far]
-        } else if self.b > zero {
-            [-far, -near]
-        } else {
-            [near, far]
-        };
-
-        let enter = self.nearest(Root::Enter, enter, fraction);
-        let exit = self.nearest(Root::Exit, exit, fraction);
-        if enter < exit || self.discriminant <= zero {
-            return [enter, exit];
-        }
-        // The span is shorter than the grid's step: it grows on the side that is nearer.
-        if enter < i32::MAX && self.is_at_or_above(Root::Exit, enter.into(), 1 << fraction) {
-            [enter, enter + 1]
-        } else {
-            [enter.saturating_sub(1), enter]
-        }
-    }
-
-    /// The number of the grid nearest to a root that is known with [`GUARD`] more digits and a
-    /// relative error of 2^−29; held inside the grid's range.
-    fn nearest(&self, root: Root, roughly: i64, fraction: u32) -> i32 {
-        const LIMIT: i64 = 1 << 31;
-        let raised = roughly + (1 << (GUARD - 1));
-        let error = (roughly.abs() >> 29) + 2;
-        let beyond = raised & ((1 << GUARD) - 1);
-        let mut t = (raised >> GUARD).clamp(-LIMIT, LIMIT);
-        if beyond < error || beyond > (1 << GUARD) - 1 - error {
-            // Too near to the middle between two numbers: only the quadratic itself can tell.
-            let is_at_or_above_half =
-                |t: i64| self.is_at_or_above(root, (2 * t + 1).into(), 2 << fraction);
-            while t < LIMIT && is_at_or_above_half(t) {
-                t += 1;
-            }
-            while t > -LIMIT && !is_at_or_above_half(t - 1) {
-                t -= 1;
-            }
-        }
-        whole::narrow(t)
-    }
-}
 
 fn dot<const N: usize>(x: [i64; N], y: [i64; N]) -> i64 {
     x.into_iter().zip(y).map(|(x, y)| x * y).sum()
@@ -402,13 +221,12 @@ impl<F: Fraction> Intersect for FixedI32<F> {
             t.clamp(i32::MIN.into(), i32::MAX.into()) as i32
         };
         let (low, high, upwards) = (at(low), at(high), planes.speed > 0);
-        // The planes are apart, however fast the line passes them.
-        let (low, high) = match upwards {
-            true if low >= high => (low, low.saturating_add(1)),
-            false if high >= low => (high.saturating_add(1), high),
-            _ => (low, high),
-        };
-        Passage::Across { at: [low, high].map(Self::from_bits), upwards }
+        let (first, last) = if upwards { (low, high) } else { (high, low) };
+        // The planes are apart, however fast the line passes them: but not beyond the grid.
+        let is_beyond = first == i32::MAX || first == i32::MIN;
+        let last = if first == last && !is_beyond { last + 1 } else { last };
+        let at = if upwards { [first, last] } else { [last, first] };
+        Passage::Across { at: at.map(Self::from_bits), upwards }
     }
 
     fn is_between(slab: &Slab<Self>, line: &Line<Self>, t: Self) -> bool {

@@ -7,6 +7,7 @@
 
 mod compensated;
 mod exact;
+mod quadratic;
 
 use super::cylinder::Tube;
 use super::slab::Slab;
