@@ -9,6 +9,9 @@
 
 #[cfg(not(target_os = "none"))]
 mod args;
+#[cfg(target_os = "none")]
+#[path = "../board/mod.rs"]
+mod board;
 mod device;
 #[cfg(target_os = "none")]
 mod firmware;

@@ -1,7 +1,7 @@
 //! The columns in which a row can meet a solid, from where a quadratic in X is not negative.
 
 use crate::geom::{Affine, Extent, Parallel, Pencil, Vec3};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Number, Real, Scalar};
 
 /// The columns of a row in which `Σ plus² ≥ Σ minus²` may hold, for lengths that are affine in X.
 ///
@@ -124,40 +124,62 @@ impl<S: Scalar> ParallelBall<S> {
 
 /// A ball around a bounded solid, seen from an eye.
 ///
-/// The ray `p + t·d` meets the ball where `r²|d|² − |(p − c) × d|² ≥ 0`; both d and the vector
-/// product are affine in the column, because all rays run through the eye.
+/// In the camera's own frame, with axes to the right, down and forward, the ray of a pixel is along
+/// d = (x, y, 1). It meets the ball around c where `r²|d|² − |c × d|² ≥ 0`, with c as seen from the
+/// eye. Both vectors are affine in the column, and the eye's distance cancels out of the second.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PencilBall<S: Scalar> {
-    /// (p − c) × d in the middle of the picture, and its steps.
-    pub(super) moment: [Vec3<S::Fine>; 3],
-    pub(super) direction: [Vec3<S::Fine>; 3],
+    /// As seen from the middle of the picture, in the camera's frame.
+    center: Vec3<S::Fine>,
     radius: S::Fine,
+    /// The size of half a pixel in the image plane.
+    pitch: S::Fine,
+    /// What half a pixel adds to x or y: the pitch over the eye's distance.
+    slope: S::Fine,
     columns: u32,
 }
 
 impl<S: Scalar> PencilBall<S> {
     pub(super) fn new(center: Vec3<S::Fine>, radius: S::Fine, rays: &Pencil<S>) -> Self {
         let plane = &rays.plane;
-        let from_center = plane.center - center;
-        let lever = plane.forward - from_center * rays.convergence;
-        Self {
-            moment: [
-                from_center.cross(plane.forward),
-                plane.right.cross(lever),
-                plane.down.cross(lever),
-            ],
-            direction: [
-                plane.forward,
-                plane.right * rays.convergence,
-                plane.down * rays.convergence,
-            ],
-            radius,
-            columns: plane.columns,
-        }
+        let from_middle = center - plane.center;
+        let pitch = plane.right.length_squared().sqrt();
+        let along = |step: Vec3<S::Fine>| from_middle.dot_compensated(step);
+        let center =
+            Vec3::new(along(plane.right) / pitch, along(plane.down) / pitch, along(plane.forward));
+        Self { center, radius, pitch, slope: pitch * rays.convergence, columns: plane.columns }
+    }
+
+    /// d in a row.
+    pub(super) fn direction(&self, y: i32) -> [Affine<S::Fine>; 3] {
+        let x = Affine { middle: S::Fine::ZERO, step: self.slope };
+        [x, constant(S::Fine::ZERO.after_steps(self.slope, y)), constant(S::Fine::ONE)]
+    }
+
+    /// p − c in a row, p being where the rays have t = 0.
+    pub(super) fn from_center(&self, y: i32) -> [Affine<S::Fine>; 3] {
+        let Vec3 { x, y: across, z } = self.center;
+        let along = Affine { middle: -x, step: self.pitch };
+        [along, constant((-across).after_steps(self.pitch, y)), constant(-z)]
+    }
+
+    /// c × d in a row, with c as seen from the eye.
+    pub(super) fn moment(&self, y: i32) -> [Affine<S::Fine>; 3] {
+        let Vec3 { x: cx, y: cy, z: cz } = self.center;
+        // What half a pixel is at the ball's distance.
+        let lever = self.pitch + cz * self.slope;
+        [
+            constant(cy.after_steps(-lever, y)),
+            Affine { middle: -cx, step: lever },
+            Affine {
+                middle: S::Fine::ZERO.after_steps(cx * self.slope, y),
+                step: -(cy * self.slope),
+            },
+        ]
     }
 
     pub(super) fn extent(&self, y: i32) -> Extent {
-        let reach = vector_row(self.direction, y).map(|part| part.times(self.radius));
-        extent(&reach, &vector_row(self.moment, y), self.columns)
+        let reach = self.direction(y).map(|part| part.times(self.radius));
+        extent(&reach, &self.moment(y), self.columns)
     }
 }

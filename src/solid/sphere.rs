@@ -2,7 +2,7 @@
 
 use super::intersect::Intersect;
 use super::row::{ConvexRow, Leaf, Project, View};
-use super::silhouette::{ParallelBall, PencilBall, vector_row};
+use super::silhouette::{ParallelBall, PencilBall};
 use super::{Shape, Solid};
 use crate::geom::{Affine, Line, Parallel, Pencil, Vec3};
 use crate::scalar::{Check, Chord, FixedI32, Fraction, Scalar};
@@ -157,9 +157,7 @@ impl<S: Scalar> Project<Pencil<S>> for Sphere<S> {
     type View<'a> = PencilView<S>;
 
     fn view(&self, rays: &Pencil<S>) -> PencilView<S> {
-        let from_center = rays.plane.center - self.center.fine();
         PencilView {
-            from_center: [from_center, rays.plane.right, rays.plane.down],
             ball: PencilBall::new(self.center.fine(), self.radius.fine(), rays),
             radius: self.radius,
         }
@@ -169,8 +167,6 @@ impl<S: Scalar> Project<Pencil<S>> for Sphere<S> {
 /// A sphere, seen from an eye.
 #[derive(Debug, Clone, Copy)]
 pub struct PencilView<S: Scalar> {
-    /// p − c in the middle of the picture, and its steps.
-    from_center: [Vec3<S::Fine>; 3],
     ball: PencilBall<S>,
     radius: S,
 }
@@ -181,19 +177,19 @@ impl<S: Scalar> View for PencilView<S> {
 
     fn row(&self, y: i32) -> Self::Row<'_> {
         let row = PencilRow {
-            moment: vector_row(self.ball.moment, y),
-            from_center: vector_row(self.from_center, y),
-            direction: vector_row(self.ball.direction, y),
+            moment: self.ball.moment(y),
+            from_center: self.ball.from_center(y),
+            direction: self.ball.direction(y),
             radius: self.radius,
         };
         Leaf { row, extent: self.ball.extent(y) }
     }
 }
 
-/// A row of a sphere, seen from an eye.
+/// A row of a sphere, seen from an eye: in the camera's frame.
 #[derive(Debug, Clone, Copy)]
 pub struct PencilRow<S: Scalar> {
-    /// (p − c) × d, p − c and d.
+    /// c × d, p − c and d.
     moment: [Affine<S::Fine>; 3],
     from_center: [Affine<S::Fine>; 3],
     direction: [Affine<S::Fine>; 3],

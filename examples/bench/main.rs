@@ -1,0 +1,56 @@
+//! How many instructions the parts take on a board, counted by the emulator: exact, and the same in
+//! every run. On a host the parts run once, so that they stay good; for times there, see
+//! `cargo bench --bench parts`.
+
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+#[cfg(target_os = "none")]
+#[path = "../board/mod.rs"]
+mod board;
+mod parts;
+#[path = "../scene/mod.rs"]
+mod scene;
+
+#[cfg(target_os = "none")]
+#[board::entry]
+fn main() -> ! {
+    use board::{Counter, say, say_number};
+    let counter = Counter::start();
+    let report = |name: [&str; 2], count: u32| {
+        name.into_iter().for_each(say);
+        say(" ");
+        say_number(count);
+        say("\n");
+    };
+    for parts::Part { name, work } in parts::PARTS {
+        // The difference leaves out what is done once.
+        let few = counter.instructions(*work, 4);
+        let many = counter.instructions(*work, 4 + 16);
+        report([name, ""], many.saturating_sub(few) / 16);
+    }
+    for parts::Frame { name, view, row } in parts::FRAMES {
+        let view = counter.instructions(*view, 0);
+        let of_row = |y: u16| counter.instructions(*row, y.into()).saturating_sub(view);
+        report([name, ": view"], view);
+        report([name, ": middle row"], of_row(parts::HEIGHT / 2));
+        let all = (0..parts::HEIGHT).map(of_row).fold(view, u32::saturating_add);
+        report(
+            [name, ": frame, a pixel"],
+            all / (u32::from(parts::WIDTH) * u32::from(parts::HEIGHT)),
+        );
+    }
+    board::exit(counter.error() <= 1)
+}
+
+#[cfg(not(target_os = "none"))]
+fn main() {
+    for part in parts::PARTS {
+        (part.work)(1);
+        println!("{} ran", part.name);
+    }
+    for frame in parts::FRAMES {
+        (frame.view)(0);
+        (frame.row)(u32::from(parts::HEIGHT / 2));
+        println!("{} frame, {} pixels wide: its middle row ran", frame.name, parts::WIDTH);
+    }
+}

@@ -1,0 +1,167 @@
+//! The parts, each as a function that does it so many times.
+
+use crate::scene::{Scene, Tee};
+use core::hint::black_box;
+use scancsg::geom::{Ray, Vec3};
+use scancsg::render::{Gray8, Lambert, Picture, PixelFormat, Size};
+use scancsg::solid::{Shape, Solid};
+use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
+use scancsg::stream::{Decoder, encode_row, packet_capacity};
+
+#[cfg(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16"))))]
+pub type Number = f32;
+#[cfg(not(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16")))))]
+pub type Number = scancsg::scalar::I16F16;
+
+/// Something to be counted: `work` does it as often as its argument says.
+pub struct Part {
+    pub name: &'static str,
+    pub work: extern "C" fn(u32),
+}
+
+pub const PARTS: &[Part] = &[
+    Part { name: "cylinder: ray and query", work: cylinder_ray_and_query },
+    Part { name: "cylinder: query", work: cylinder_query },
+    Part { name: "merge of 4 and 4 spans", work: merge_spans },
+    Part { name: "encode a row", work: encode },
+    Part { name: "decode a row", work: decode },
+];
+
+/// A picture, row by row: the view alone, and the view and the row that the argument says.
+pub struct Frame {
+    pub name: &'static str,
+    pub view: extern "C" fn(u32),
+    pub row: extern "C" fn(u32),
+}
+
+pub const FRAMES: &[Frame] = &[
+    Frame { name: "orthographic", view: orthographic_view, row: orthographic_row },
+    Frame { name: "perspective", view: perspective_view, row: perspective_row },
+];
+
+pub const WIDTH: u16 = 160;
+pub const HEIGHT: u16 = 120;
+const SPANS: usize = Tee::<Number>::STACK;
+const PACKET: usize = packet_capacity(WIDTH, PixelFormat::Gray8);
+
+static TEE: Tee<Number> = Number::TEE;
+
+fn vector(hundredths: [i32; 3]) -> Vec3<Number> {
+    Vec3::from(hundredths.map(Number::hundredths))
+}
+
+/// Sixteen rays that hit the first cylinder of the part, from all sides.
+fn rays() -> [[Vec3<Number>; 2]; 16] {
+    let mut state = 12345u32;
+    let mut random = |range: i32| {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (state >> 8) as i32 % (2 * range) - range
+    };
+    core::array::from_fn(|_| {
+        let from = [random(300), 300 + random(100), random(300)];
+        let to = [random(150), random(50), random(50)];
+        let way = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
+        [vector(from), vector(way)]
+    })
+}
+
+#[inline(never)]
+extern "C" fn cylinder_ray_and_query(times: u32) {
+    let mut list = SpanList::<Number, 1>::new();
+    let [cylinder, ..] = black_box(Number::BODY);
+    for [origin, direction] in rays().into_iter().cycle().take(times as usize) {
+        if let Ok(ray) = Ray::new(black_box(origin), black_box(direction)) {
+            black_box(cylinder.trace(&ray, &mut list));
+        }
+    }
+}
+
+#[inline(never)]
+extern "C" fn cylinder_query(times: u32) {
+    let mut list = SpanList::<Number, 1>::new();
+    let [cylinder, ..] = black_box(Number::BODY);
+    for [origin, direction] in rays().into_iter().cycle().take(times as usize) {
+        let line =
+            scancsg::geom::Line { origin: black_box(origin), direction: black_box(direction) };
+        cylinder.spans(&line, Face(0), &mut list.stack());
+        black_box(&list);
+    }
+}
+
+#[inline(never)]
+extern "C" fn merge_spans(times: u32) {
+    let mut list = SpanList::<Number, 16>::new();
+    for _ in 0..times {
+        let mut stack = list.stack();
+        for shift in [0, 1] {
+            for i in 0..4 {
+                let at = |t| Crossing { t: Number::hundredths(t), face: Face(0) };
+                let start = 4 * i + shift;
+                let _ = stack.push(black_box(Span { enter: at(start), exit: at(start + 2) }));
+            }
+        }
+        let _ = merge(Operation::UNION, &mut stack, 0, 4);
+        black_box(&list);
+    }
+}
+
+fn light() -> Option<Lambert<Number>> {
+    Lambert::new(Number::TO_LIGHT, Number::hundredths(15)).ok()
+}
+
+macro_rules! frames {
+    ($($camera:ident: $view:ident, $row:ident;)+) => {$(
+        #[inline(never)]
+        extern "C" fn $view(_: u32) {
+            let (Ok(camera), Some(light)) = (Number::$camera(), light()) else { return };
+            let Ok(size) = Size::new(WIDTH, HEIGHT) else { return };
+            black_box(Picture::new(&TEE, black_box(&camera), size, light, Gray8(0)));
+        }
+
+        #[inline(never)]
+        extern "C" fn $row(y: u32) {
+            let (Ok(camera), Some(light)) = (Number::$camera(), light()) else { return };
+            let Ok(size) = Size::new(WIDTH, HEIGHT) else { return };
+            let picture = Picture::new(&TEE, black_box(&camera), size, light, Gray8(0));
+            let mut list = SpanList::<Number, SPANS>::new();
+            let mut pixels = [Gray8(0); WIDTH as usize];
+            let _ = picture.scanline(y as u16).and_then(|row| row.render(&mut list, &mut pixels));
+            black_box(&pixels);
+        }
+    )+};
+}
+
+frames! {
+    orthographic: orthographic_view, orthographic_row;
+    perspective: perspective_view, perspective_row;
+}
+
+/// A row as renders make them: background, a shaded part, a gap, and background.
+fn pixels() -> [Gray8; WIDTH as usize] {
+    core::array::from_fn(|x| match x {
+        40..70 => Gray8((x * 3) as u8),
+        70..80 => Gray8(90),
+        90..120 => Gray8((255 - x) as u8),
+        _ => Gray8(0),
+    })
+}
+
+#[inline(never)]
+extern "C" fn encode(times: u32) {
+    let pixels = pixels();
+    let mut packet = [0; PACKET];
+    for _ in 0..times {
+        let _ = black_box(encode_row(0, 60, black_box(&pixels), &mut packet));
+    }
+}
+
+#[inline(never)]
+extern "C" fn decode(times: u32) {
+    let mut packet = [0; PACKET];
+    let length = encode_row(0, 60, &pixels(), &mut packet).unwrap_or(0);
+    let mut decoder = Decoder::<PACKET>::new();
+    for _ in 0..times {
+        let mut bytes = packet.get(..length).unwrap_or_default();
+        black_box(decoder.feed(black_box(&mut bytes)).is_some());
+    }
+}

@@ -1,0 +1,227 @@
+//! Boots firmware in an emulator, with a socket for its serial port.
+
+use crate::board::{Board, Number};
+use crate::host::image::write_png;
+use crate::host::receive::{Ending, Frame, Session, Traffic};
+use crate::host::terminal::Display;
+use crate::scene::{Scene, Tee};
+use scancsg::geom::Parallel;
+use scancsg::render::{Gray8, Lambert, Picture, Size};
+use scancsg::scalar::I16F16;
+use scancsg::solid::{Project, Shape};
+use scancsg::span::SpanList;
+use std::io::Read;
+use std::os::unix::net::UnixStream;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// How long a frame may take to begin.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// An emulated board that runs.
+pub struct Machine {
+    emulator: Child,
+    socket: PathBuf,
+    console: Option<thread::JoinHandle<String>>,
+}
+
+impl Machine {
+    /// Starts a firmware; it waits for the other end of its serial line.
+    pub fn start(board: Board, elf: &Path) -> Result<(Self, UnixStream), String> {
+        static COUNT: AtomicU32 = AtomicU32::new(0);
+        let count = COUNT.fetch_add(1, Ordering::Relaxed);
+        let name = format!("scancsg-{}-{count}.socket", std::process::id());
+        let socket = std::env::temp_dir().join(name);
+        let (program, machine) = board.machine();
+        let serial = format!("unix:{},server=on,wait=on", socket.display());
+        let mut command = Command::new(program);
+        command
+            .args(machine)
+            .args(["-display", "none", "-monitor", "none", "-serial", &serial])
+            .args(["-icount", "shift=7,align=off,sleep=off"])
+            .args(["-semihosting-config", "enable=on,target=native", "-kernel"])
+            .arg(elf)
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped());
+        let mut emulator = command.spawn().map_err(|error| {
+            format!(
+                "can't start {program}: {error}. On Debian: apt-get install \
+                 --no-install-recommends qemu-system-arm qemu-system-misc"
+            )
+        })?;
+        let console = emulator.stderr.take().map(|mut stderr| {
+            thread::spawn(move || {
+                let mut text = String::new();
+                let _ = stderr.read_to_string(&mut text);
+                text
+            })
+        });
+        let mut machine = Self { emulator, socket, console };
+        let line = machine.connect()?;
+        Ok((machine, line))
+    }
+
+    fn connect(&mut self) -> Result<UnixStream, String> {
+        let deadline = Instant::now() + Duration::from_secs(20);
+        loop {
+            match UnixStream::connect(&self.socket) {
+                Ok(line) => {
+                    line.set_read_timeout(Some(crate::host::port::READ_TIMEOUT))
+                        .map_err(|error| error.to_string())?;
+                    return Ok(line);
+                }
+                Err(error) if Instant::now() > deadline => {
+                    return Err(format!("the emulator opens no serial line: {error}"));
+                }
+                Err(_) => {
+                    if let Ok(Some(status)) = self.emulator.try_wait() {
+                        return Err(format!("the emulator ended: {status}\n{}", self.said()));
+                    }
+                    thread::sleep(Duration::from_millis(10));
+                }
+            }
+        }
+    }
+
+    fn said(&mut self) -> String {
+        self.console.take().and_then(|console| console.join().ok()).unwrap_or_default()
+    }
+
+    /// Waits for the firmware to end; what it said, and whether it was content.
+    pub fn finish(mut self, patience: Duration) -> (String, bool) {
+        let deadline = Instant::now() + patience;
+        let is_good = loop {
+            match self.emulator.try_wait() {
+                Ok(Some(status)) => break status.success(),
+                Ok(None) if Instant::now() < deadline => thread::sleep(Duration::from_millis(10)),
+                _ => break false,
+            }
+        };
+        let _ = self.emulator.kill();
+        (self.said(), is_good)
+    }
+}
+
+impl Drop for Machine {
+    fn drop(&mut self) {
+        let _ = self.emulator.kill();
+        let _ = self.emulator.wait();
+        let _ = std::fs::remove_file(&self.socket);
+    }
+}
+
+/// What a firmware sent and said.
+pub struct Outcome {
+    pub frame: Frame,
+    pub traffic: Traffic,
+    /// The deepest that the stack has been.
+    pub stack: Option<u32>,
+    pub is_same_as_host: bool,
+    pub problems: Vec<String>,
+}
+
+fn receive(
+    board: Board,
+    elf: &Path,
+    display: Option<&Display>,
+) -> Result<(Frame, Traffic, String, bool), String> {
+    let (machine, line) = Machine::start(board, elf)?;
+    let mut session = Session::new(Box::new(line));
+    let frame = session.frame(PATIENCE, |receiver, traffic| {
+        if let Some(display) = display {
+            display.show(receiver, traffic);
+        }
+    })?;
+    let traffic = session.traffic();
+    let (said, is_good) = machine.finish(Duration::from_secs(20));
+    let frame = frame.ok_or_else(|| format!("{board} sent no frame\n{said}"))?;
+    Ok((frame, traffic, said, is_good))
+}
+
+/// Boots the example `stream`, and compares its picture with the host's.
+pub fn stream(board: Board, number: Number, elf: &Path) -> Result<Outcome, String> {
+    let (frame, traffic, said, is_good) = receive(board, elf, None)?;
+    let mut problems: Vec<String> = frame.problem(0).into_iter().collect();
+    if !is_good {
+        problems.push(format!("the firmware was not content: {}", said.trim()));
+    }
+    let size =
+        Size::new(frame.header.width, frame.header.height).map_err(|error| error.to_string())?;
+    let want = match number {
+        Number::F32 => on_host::<f32>(size)?,
+        Number::I16f16 => on_host::<I16F16>(size)?,
+    };
+    let width = usize::from(size.width());
+    let crc = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC);
+    let differing = frame
+        .pixels
+        .chunks(width)
+        .zip(want.chunks(width))
+        .filter(|(got, want)| crc.checksum(got) != crc.checksum(want))
+        .count();
+    let is_same_as_host = differing == 0 && frame.pixels.len() == want.len();
+    if !is_same_as_host {
+        problems.push(format!("{differing} rows differ from the host's"));
+    }
+    let stack = said
+        .lines()
+        .find_map(|line| line.strip_prefix("stack ")?.split_whitespace().next()?.parse().ok());
+    Ok(Outcome { frame, traffic, stack, is_same_as_host, problems })
+}
+
+/// The frame of the example `stream`, rendered here.
+fn on_host<S: Scene>(size: Size) -> Result<Vec<u8>, String>
+where
+    Tee<S>: Project<Parallel<S>, Scalar = S>,
+{
+    let text = |error: &dyn std::fmt::Display| error.to_string();
+    let camera = S::orthographic().map_err(|error| text(&error))?;
+    let light = Lambert::new(S::TO_LIGHT, S::hundredths(15)).map_err(|error| text(&error))?;
+    let tee = S::TEE;
+    let picture = Picture::new(&tee, &camera, size, light, Gray8(0));
+    let mut spans = SpanList::<S, { <Tee<f32> as Shape>::STACK }>::new();
+    let mut row = vec![Gray8(0); usize::from(size.width())];
+    let mut bytes = Vec::new();
+    for scanline in picture.scanlines() {
+        scanline.render(&mut spans, &mut row).map_err(|error| text(&error))?;
+        bytes.extend(row.iter().map(|pixel| pixel.0));
+    }
+    Ok(bytes)
+}
+
+/// Boots a firmware, shows the picture that it sends, and saves it.
+pub fn show(board: Board, elf: &Path, png: &Path) -> Result<(), String> {
+    let display = Display::new();
+    display.begin(0, Some(1));
+    let result = receive(board, elf, Some(&display));
+    display.finish();
+    let (frame, traffic, said, is_good) = result?;
+    write_png(png, std::slice::from_ref(&frame))?;
+    println!(
+        "{}: {} bytes on the line; the board says: {}",
+        png.display(),
+        traffic.bytes,
+        said.trim()
+    );
+    if let Some(problem) = frame.problem(0) {
+        return Err(problem);
+    }
+    if is_good && frame.ending == Ending::Complete {
+        Ok(())
+    } else {
+        Err("the firmware failed".into())
+    }
+}
+
+/// Boots a firmware that only speaks, and returns what it says.
+pub fn listen(board: Board, elf: &Path) -> Result<String, String> {
+    let (machine, _line) = Machine::start(board, elf)?;
+    match machine.finish(Duration::from_secs(120)) {
+        (said, true) => Ok(said),
+        (said, false) => Err(format!("{board}: the firmware failed, and said: {}", said.trim())),
+    }
+}

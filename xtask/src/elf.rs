@@ -1,0 +1,116 @@
+//! What is in a firmware, and what must not be.
+
+use crate::board::Number;
+use object::{Object, ObjectSection, ObjectSymbol, SectionKind};
+use std::path::Path;
+
+pub struct Contents {
+    /// Code and constants, in bytes.
+    pub flash: u64,
+    /// Variables, in bytes.
+    pub ram: u64,
+    symbols: Vec<String>,
+}
+
+impl Contents {
+    pub fn read(elf: &Path) -> Result<Self, String> {
+        let text = |error: &dyn std::fmt::Display| format!("{}: {error}", elf.display());
+        let bytes = std::fs::read(elf).map_err(|error| text(&error))?;
+        let file = object::File::parse(bytes.as_slice()).map_err(|error| text(&error))?;
+        let size = |kinds: &[SectionKind]| {
+            file.sections()
+                .filter(|section| kinds.contains(&section.kind()))
+                .map(|s| s.size())
+                .sum()
+        };
+        let demangled = |name: &str| format!("{:#}", rustc_demangle::demangle(name));
+        Ok(Self {
+            flash: size(&[SectionKind::Text, SectionKind::ReadOnlyData, SectionKind::Data]),
+            ram: size(&[SectionKind::Data, SectionKind::UninitializedData]),
+            symbols: file
+                .symbols()
+                .filter(ObjectSymbol::is_definition)
+                .filter_map(|symbol| symbol.name().ok().map(demangled))
+                .collect(),
+        })
+    }
+
+    /// What is in there that must not be.
+    pub fn problems(&self, number: Number) -> impl Iterator<Item = String> {
+        type Rule = (&'static str, fn(&str) -> bool, bool);
+        let rules: [Rule; 5] = [
+            ("an allocator", is_allocator, true),
+            ("a panic", is_panic, true),
+            ("formatting", is_formatting, true),
+            ("arithmetic in f64", is_double, true),
+            ("floating point", is_single, number == Number::I16f16),
+        ];
+        rules
+            .into_iter()
+            .filter(|(_, _, applies)| *applies)
+            .filter_map(|(what, is_unwanted, _)| {
+                let found: Vec<&str> = self
+                    .symbols
+                    .iter()
+                    .map(String::as_str)
+                    .filter(|name| is_unwanted(name))
+                    .take(4)
+                    .collect();
+                (!found.is_empty()).then(|| format!("{what} is linked: {}", found.join(", ")))
+            })
+            .collect::<Vec<_>>()
+            .into_iter()
+    }
+}
+
+fn is_allocator(name: &str) -> bool {
+    name.contains("__rust_alloc") || name.contains("alloc::")
+}
+
+fn is_panic(name: &str) -> bool {
+    name.contains("panicking") || name.contains("panic_") || name.ends_with("_failed")
+}
+
+fn is_formatting(name: &str) -> bool {
+    name.contains("core::fmt") || name.ends_with("::fmt")
+}
+
+/// The run-time library's names, by the run-time ABI of Arm and by GCC's.
+fn is_double(name: &str) -> bool {
+    name.starts_with("__aeabi_d") || name.contains("f64") || is_gcc_name(name, "df")
+}
+
+fn is_single(name: &str) -> bool {
+    ["__aeabi_f", "__aeabi_i2f", "__aeabi_ui2f", "__aeabi_l2f", "__aeabi_ul2f"]
+        .iter()
+        .any(|start| name.starts_with(start))
+        || name.contains("f32")
+        || name.contains("libm::")
+        || is_gcc_name(name, "sf")
+}
+
+/// `__adddf3`, `__floatsidf` and the like.
+fn is_gcc_name(name: &str, kind: &str) -> bool {
+    name.strip_prefix("__").is_some_and(|rest| {
+        let rest = rest.trim_end_matches(|c: char| c.is_ascii_digit());
+        rest.chars().all(|c| c.is_ascii_lowercase())
+            && (rest.ends_with(kind) || rest.contains("sidf"))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn unwanted_symbols_are_known_by_their_names() {
+        assert!(is_panic("core::panicking::panic_fmt"));
+        assert!(is_formatting("core::fmt::write"));
+        assert!(is_formatting("<u32 as core::fmt::Display>::fmt"));
+        assert!(is_double("__aeabi_dadd") && is_double("__adddf3") && is_double("__floatsidf"));
+        assert!(is_single("__aeabi_fmul") && is_single("__mulsf3") && is_single("libm::sqrtf"));
+        assert!(!is_double("__aeabi_uldivmod") && !is_single("__aeabi_lmul"));
+        assert!(!is_single("scancsg::span::merge::merge") && !is_panic("board::paint"));
+        assert!(is_allocator("__rust_alloc") && !is_allocator("scancsg::solid::Shape"));
+    }
+}

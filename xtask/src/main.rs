@@ -1,0 +1,124 @@
+//! The chores of scancsg, behind one door: `cargo xtask --help`.
+
+mod board;
+mod boot;
+mod counts;
+mod elf;
+#[path = "../../examples/host/mod.rs"]
+mod host;
+mod report;
+#[path = "../../examples/scene/mod.rs"]
+mod scene;
+mod toolchain;
+
+use board::{Board, Number};
+use clap::{Parser, Subcommand};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Builds firmware, boots it on emulated boards, and measures it.
+#[derive(Debug, Parser)]
+#[command(name = "xtask", bin_name = "cargo xtask")]
+struct Args {
+    #[command(subcommand)]
+    chore: Chore,
+}
+
+#[derive(Debug, Subcommand)]
+enum Chore {
+    /// Build the firmware of every board, boot it, receive its picture through its serial port, and
+    /// compare it with the host's
+    Boards(Boards),
+
+    /// Boot one firmware, show the picture that it sends, and save it
+    Boot {
+        /// The board that it was built for
+        board: Board,
+        /// The firmware
+        elf: PathBuf,
+        /// The PNG file to write
+        #[arg(long, value_name = "FILE.png", default_value = "board.png")]
+        png: PathBuf,
+    },
+}
+
+#[derive(Debug, clap::Args)]
+struct Boards {
+    /// Only this board; may be given several times
+    #[arg(long)]
+    board: Vec<Board>,
+
+    /// Only this number type
+    #[arg(long)]
+    number: Option<Number>,
+
+    /// Save the picture of the last board as a PNG file
+    #[arg(long, value_name = "FILE.png")]
+    png: Option<PathBuf>,
+
+    /// Write the expected instruction counts, and docs/boards.md, anew
+    #[arg(long)]
+    overwrite: bool,
+}
+
+fn main() -> ExitCode {
+    let result = match Args::parse().chore {
+        Chore::Boards(chosen) => boards(&chosen),
+        Chore::Boot { board, elf, png } => boot::show(board, &elf, &png),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("xtask: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// The repository.
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."))
+}
+
+fn boards(chosen: &Boards) -> Result<(), String> {
+    let boards: Vec<Board> =
+        if chosen.board.is_empty() { Board::ALL.to_vec() } else { chosen.board.clone() };
+    let mut rows = Vec::new();
+    let mut problems = Vec::new();
+    for board in boards {
+        let toolchain = toolchain::find(board.target())?;
+        for number in Number::ALL {
+            if chosen.number.is_some_and(|only| only != number) {
+                continue;
+            }
+            eprintln!("{board}, {number}: building with {}", toolchain.version);
+            let elf = toolchain.build(board, number, "stream")?;
+            let contents = elf::Contents::read(&elf)?;
+            problems
+                .extend(contents.problems(number).map(|text| format!("{board}, {number}: {text}")));
+            let outcome = boot::stream(board, number, &elf)?;
+            problems
+                .extend(outcome.problems.iter().map(|text| format!("{board}, {number}: {text}")));
+            if let Some(path) = &chosen.png {
+                host::image::write_png(path, std::slice::from_ref(&outcome.frame))?;
+            }
+            let counts = counts::measure(&toolchain, board, number)?;
+            let changes = counts.compare(chosen.overwrite)?;
+            changes.iter().for_each(|change| eprintln!("  {}", change.text));
+            problems.extend(
+                changes
+                    .into_iter()
+                    .filter(|change| change.is_worse)
+                    .map(|change| format!("{board}, {number}: {}", change.text)),
+            );
+            rows.push(report::Row { board, number, contents, outcome, counts });
+        }
+    }
+    let table = report::table(&rows);
+    println!("{table}");
+    let is_complete = chosen.board.is_empty() && chosen.number.is_none();
+    if is_complete && chosen.overwrite {
+        report::write(&rows)?;
+    }
+    if problems.is_empty() { Ok(()) } else { Err(problems.join("\n       ")) }
+}

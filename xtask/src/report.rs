@@ -1,0 +1,106 @@
+//! The table of the boards.
+
+use crate::board::{Board, Number};
+use crate::boot::Outcome;
+use crate::counts::Counts;
+use crate::elf::Contents;
+use crate::root;
+use std::fmt::Write as _;
+use std::fs;
+
+pub struct Row {
+    pub board: Board,
+    pub number: Number,
+    pub contents: Contents,
+    pub outcome: Outcome,
+    pub counts: Counts,
+}
+
+impl Row {
+    fn columns(&self) -> [String; 8] {
+        let Self { board, number, contents, outcome, counts } = self;
+        let stack = outcome.stack.map_or("?".to_owned(), |stack| stack.to_string());
+        let per_pixel = counts
+            .of("orthographic: frame, a pixel")
+            .map_or("?".to_owned(), |count| count.to_string());
+        [
+            board.to_string(),
+            board.core().to_owned(),
+            number.to_string(),
+            contents.flash.to_string(),
+            format!("{} + {stack}", contents.ram),
+            per_pixel,
+            outcome.traffic.bytes.to_string(),
+            if outcome.is_same_as_host { "yes" } else { "NO" }.to_owned(),
+        ]
+    }
+}
+
+const HEADINGS: [&str; 8] = [
+    "board",
+    "core",
+    "number",
+    "flash",
+    "RAM (static + stack)",
+    "instr./pixel",
+    "bytes/frame",
+    "as on host",
+];
+
+/// The table, aligned for a terminal and for Markdown alike.
+pub fn table(rows: &[Row]) -> String {
+    let cells: Vec<[String; 8]> = rows.iter().map(Row::columns).collect();
+    let widths: Vec<usize> = HEADINGS
+        .iter()
+        .enumerate()
+        .map(|(i, heading)| {
+            cells
+                .iter()
+                .filter_map(|row| row.get(i))
+                .map(String::len)
+                .fold(heading.len(), usize::max)
+        })
+        .collect();
+    let line = |cells: &[String]| {
+        let padded: Vec<String> =
+            cells.iter().zip(&widths).map(|(cell, width)| format!("{cell:width$}")).collect();
+        format!("| {} |\n", padded.join(" | "))
+    };
+    let mut text = line(&HEADINGS.map(str::to_owned));
+    let rule: Vec<String> = widths.iter().map(|width| "-".repeat(*width)).collect();
+    let _ = writeln!(text, "|-{}-|", rule.join("-|-"));
+    cells.iter().for_each(|row| text.push_str(&line(row)));
+    text
+}
+
+/// `docs/boards.md`: the table, and the counts of all parts.
+pub fn write(rows: &[Row]) -> Result<(), String> {
+    let version = rows.first().map_or(String::new(), |row| row.counts.version().to_owned());
+    let mut text = format!(
+        "# Boards\n\n\
+         Made by `cargo xtask boards --overwrite`: the example `stream` as firmware, booted in QEMU, \
+         its picture (`tee`, 160x120, Gray8, orthographic) received through the emulated serial \
+         port and compared with the host's, row by row. Sizes in bytes; instructions are counted by \
+         the emulator and are those of {version}, `opt-level = 3`, fat LTO. Flash is the whole \
+         firmware: start-up, driver, scene, renderer, packets, repair.\n\n{}\n",
+        table(rows)
+    );
+    text.push_str("## Instructions of the parts\n\n| part |");
+    rows.iter().for_each(|row| {
+        let _ = write!(text, " {} {} |", row.board.core(), row.number);
+    });
+    text.push_str("\n|---|");
+    rows.iter().for_each(|_| text.push_str("---:|"));
+    text.push('\n');
+    let names = rows.first().map(|row| row.counts.entries.as_slice()).unwrap_or_default();
+    for (name, _) in names {
+        let _ = write!(text, "| {name} |");
+        rows.iter().for_each(|row| {
+            let count = row.counts.of(name).map_or("?".to_owned(), |count| count.to_string());
+            let _ = write!(text, " {count} |");
+        });
+        text.push('\n');
+    }
+    let path = root().join("docs/boards.md");
+    fs::write(&path, text).map_err(|error| format!("{}: {error}", path.display()))
+}

@@ -1,0 +1,149 @@
+//! A compiler for a board: rustup's where it has the target, or else Debian's, whose core library is
+//! built from its sources once and kept in the user's cache folder.
+
+use crate::board::{Board, Number};
+use crate::root;
+use std::env;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+pub struct Toolchain {
+    /// The compiler's version: instruction counts are this compiler's.
+    pub version: String,
+    cargo: PathBuf,
+    /// Where the compiler is, if it isn't cargo's own, and the libraries that were built for it.
+    foreign: Option<(PathBuf, PathBuf)>,
+}
+
+const DEBIAN_PACKAGES: &str = "rustc-web cargo-web rust-web-src rust-web-llvm lld-22";
+
+/// The compiler for a target.
+pub fn find(target: &str) -> Result<Toolchain, String> {
+    // Not the compiler that cargo has set for this program.
+    let sysroot = output(own("rustc").args(["--print", "sysroot"])).unwrap_or_default();
+    if Path::new(sysroot.trim()).join("lib/rustlib").join(target).join("lib").is_dir() {
+        let version = version(own("rustc").arg("-vV"))?;
+        return Ok(Toolchain { version, cargo: "cargo".into(), foreign: None });
+    }
+    let (rustc, cargo) = (PathBuf::from("/usr/bin/rustc"), PathBuf::from("/usr/bin/cargo"));
+    let sources = Path::new("/usr/lib/rustlib/src/rust/library/core");
+    if !(rustc.exists() && cargo.exists() && sources.is_dir()) {
+        return Err(format!(
+            "there is no compiler for {target}. Install one with `rustup target add {target}`, or \
+             on Debian with `apt-get install --no-install-recommends {DEBIAN_PACKAGES}`"
+        ));
+    }
+    let version = version(Command::new(&rustc).arg("-vV"))?;
+    let libraries = libraries(&rustc, &cargo, target, &version)?;
+    Ok(Toolchain { version, cargo, foreign: Some((rustc, libraries)) })
+}
+
+/// A program of the toolchain that the user has, whatever cargo has set for its children.
+fn own(program: &str) -> Command {
+    let mut command = Command::new(program);
+    ["RUSTC", "RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS"].iter().for_each(|name| {
+        command.env_remove(name);
+    });
+    command
+}
+
+fn output(command: &mut Command) -> Result<String, String> {
+    let result = command.output().map_err(|error| format!("{command:?}: {error}"))?;
+    if result.status.success() {
+        Ok(String::from_utf8_lossy(&result.stdout).into_owned())
+    } else {
+        Err(format!("{command:?} failed:\n{}", String::from_utf8_lossy(&result.stderr)))
+    }
+}
+
+/// `rustc 1.95.0 (59807616e 2026-04-14)`, and who packed it if that isn't rustup.
+fn version(command: &mut Command) -> Result<String, String> {
+    let text = output(command)?;
+    Ok(text.lines().next().unwrap_or("rustc of unknown version").to_owned())
+}
+
+fn cache() -> PathBuf {
+    let home = || env::var_os("HOME").map(|home| PathBuf::from(home).join(".cache"));
+    env::var_os("XDG_CACHE_HOME")
+        .map(PathBuf::from)
+        .or_else(home)
+        .unwrap_or_else(|| root().join("target"))
+        .join("scancsg")
+}
+
+/// The core library for a target, built from Debian's sources unless that was done before.
+fn libraries(rustc: &Path, cargo: &Path, target: &str, version: &str) -> Result<PathBuf, String> {
+    let name: String = version
+        .chars()
+        .map(|c| if c.is_ascii_alphanumeric() || c == '.' { c } else { '-' })
+        .collect();
+    let sysroot = cache().join(name);
+    let place = sysroot.join("lib/rustlib").join(target);
+    if place.join("lib").is_dir() {
+        return Ok(sysroot);
+    }
+    eprintln!("building the core library for {target}, once ...");
+    let text = |error: std::io::Error| format!("{}: {error}", sysroot.display());
+    let work = sysroot.join(format!("build-{target}-{}", std::process::id()));
+    let source = work.join("src");
+    fs::create_dir_all(&source).map_err(text)?;
+    fs::write(
+        work.join("Cargo.toml"),
+        "[package]\nname = \"nothing\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\
+         [profile.release]\ncodegen-units = 1\n[workspace]\n",
+    )
+    .map_err(text)?;
+    fs::write(source.join("lib.rs"), "#![no_std]\n").map_err(text)?;
+    let mut build = Command::new(cargo);
+    build
+        .current_dir(&work)
+        .args(["build", "--quiet", "--release", "--target", target])
+        .args(["-Zbuild-std=core,compiler_builtins", "-Zbuild-std-features=compiler-builtins-mem"])
+        .env("RUSTC", rustc)
+        .env("RUSTC_BOOTSTRAP", "1")
+        // Link-time optimization needs it.
+        .env("RUSTFLAGS", "-Cembed-bitcode=yes")
+        .env("CARGO_TARGET_DIR", work.join("target"))
+        .env_remove("RUSTUP_TOOLCHAIN")
+        .env_remove("CARGO_ENCODED_RUSTFLAGS");
+    output(&mut build)?;
+    let built = work.join("target").join(target).join("release/deps");
+    let ready = work.join("lib");
+    fs::create_dir_all(&ready).map_err(text)?;
+    for entry in fs::read_dir(built).map_err(text)? {
+        let path = entry.map_err(text)?.path();
+        let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
+        if let Some(name) = name.filter(|name| name.ends_with(".rlib") && !name.contains("nothing"))
+        {
+            fs::copy(&path, ready.join(name)).map_err(text)?;
+        }
+    }
+    fs::create_dir_all(&place).map_err(text)?;
+    // At once, so that nobody finds half of it.
+    fs::rename(&ready, place.join("lib")).map_err(text)?;
+    fs::remove_dir_all(&work).map_err(text)?;
+    Ok(sysroot)
+}
+
+impl Toolchain {
+    /// Builds an example as firmware.
+    pub fn build(&self, board: Board, number: Number, example: &str) -> Result<PathBuf, String> {
+        let target = board.target();
+        let folder = root().join("target/boards").join(number.name());
+        let mut flags = format!("--cfg number=\"{number}\"");
+        let mut command = own(&self.cargo.to_string_lossy());
+        command
+            .current_dir(root())
+            .args(["build", "--quiet", "--release", "--target", target, "--example", example])
+            .env("CARGO_TARGET_DIR", &folder);
+        if let Some((rustc, sysroot)) = &self.foreign {
+            flags.push_str(&format!(" --sysroot={}", sysroot.display()));
+            command.env("RUSTC", rustc).env_remove("RUSTUP_TOOLCHAIN");
+        }
+        let variable = target.to_ascii_uppercase().replace(['-', '.'], "_");
+        command.env(format!("CARGO_TARGET_{variable}_RUSTFLAGS"), flags);
+        output(&mut command)?;
+        Ok(folder.join(target).join("release/examples").join(example))
+    }
+}
