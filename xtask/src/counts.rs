@@ -73,7 +73,9 @@ impl Counts {
             fs::write(&path, self.text()).map_err(error)?;
             return Ok(Vec::new());
         }
-        let expected = fs::read_to_string(&path).map_err(error)?;
+        let expected = fs::read_to_string(&path).map_err(|cause| {
+            format!("no counts are expected ({}: {cause}); --overwrite writes them", path.display())
+        })?;
         Ok(compare(&expected, &self.version, &self.entries))
     }
 }
@@ -83,6 +85,7 @@ fn compare(expected: &str, version: &str, entries: &[(String, u64)]) -> Vec<Chan
     let mut changes = Vec::new();
     let mut known: Vec<(&str, u64)> = expected
         .lines()
+        .filter(|line| !line.starts_with('#'))
         .filter_map(|line| {
             let (name, count) = line.rsplit_once(' ')?;
             Some((name, count.parse().ok()?))

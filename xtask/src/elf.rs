@@ -77,16 +77,21 @@ fn is_formatting(name: &str) -> bool {
 
 /// The run-time library's names, by the run-time ABI of Arm and by GCC's.
 fn is_double(name: &str) -> bool {
-    name.starts_with("__aeabi_d") || name.contains("f64") || is_gcc_name(name, "df")
+    name.starts_with("__aeabi_d") || has_word(name, "f64") || is_gcc_name(name, "df")
 }
 
 fn is_single(name: &str) -> bool {
     ["__aeabi_f", "__aeabi_i2f", "__aeabi_ui2f", "__aeabi_l2f", "__aeabi_ul2f"]
         .iter()
         .any(|start| name.starts_with(start))
-        || name.contains("f32")
-        || name.contains("libm::")
+        || has_word(name, "f32")
+        || has_word(name, "libm")
         || is_gcc_name(name, "sf")
+}
+
+/// Whether a path has this name in it, and not only a hash that happens to contain it.
+fn has_word(name: &str, word: &str) -> bool {
+    name.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').any(|part| part == word)
 }
 
 /// `__adddf3`, `__floatsidf` and the like.
@@ -110,6 +115,7 @@ mod tests {
         assert!(is_double("__aeabi_dadd") && is_double("__adddf3") && is_double("__floatsidf"));
         assert!(is_single("__aeabi_fmul") && is_single("__mulsf3") && is_single("libm::sqrtf"));
         assert!(!is_double("__aeabi_uldivmod") && !is_single("__aeabi_lmul"));
+        assert!(is_single("<f32 as scancsg::scalar::Real>::sqrt") && !is_single(".Lanon.2f32.7"));
         assert!(!is_single("scancsg::span::merge::merge") && !is_panic("board::paint"));
         assert!(is_allocator("__rust_alloc") && !is_allocator("scancsg::solid::Shape"));
     }
