@@ -74,19 +74,17 @@ impl<S: Scalar> Ray<S> {
     /// # Errors
     /// [`RayError::NotFinite`] for infinite or NaN coordinates, [`RayError::ZeroDirection`],
     /// [`RayError::TooFar`], [`RayError::DirectionLength`].
+    // Always inline: a ray that is written to memory in pieces, and read from there by whoever
+    // traces it, costs more than making it.
+    #[inline(always)]
     pub fn new(origin: Vec3<S>, direction: Vec3<S>) -> Result<Self, RayError> {
-        if !origin.is_finite() || !direction.is_finite() {
-            return Err(RayError::NotFinite);
-        }
-        if origin.max_abs() > S::REACH {
-            return Err(RayError::TooFar);
-        }
-        let largest = direction.max_abs();
-        if largest <= S::ZERO {
-            return Err(RayError::ZeroDirection);
-        }
-        if !(S::SHORTEST <= largest && largest <= S::LONGEST) {
-            return Err(RayError::DirectionLength);
+        // A sum is NaN or infinite if a coordinate is: one test for three. What fails may still be
+        // a ray, if barely.
+        let sum = |v: Vec3<S>| v.x.abs().plus(v.y.abs()).plus(v.z.abs());
+        let (reach, size) = (sum(origin), sum(direction));
+        let any_length = S::SHORTEST <= S::ZERO;
+        if !(reach <= S::REACH && size > S::ZERO && size.is_finite() && any_length) {
+            check(Vec3 { ..origin }, Vec3 { ..direction })?;
         }
         let Rebased { origin, direction, offset, scale } =
             S::rebased(origin.to_array(), direction.to_array());
@@ -96,19 +94,43 @@ impl<S: Scalar> Ray<S> {
 
     /// The line that the ray lies on, with a parameter of its own.
     #[must_use]
+    #[inline]
     pub fn line(&self) -> &Line<S> {
         &self.line
     }
 
     /// The line's parameter at the start of the ray.
     #[must_use]
+    #[inline]
     pub fn start(&self) -> S {
         self.offset.negated()
     }
 
     /// The ray's parameter for a parameter of its line.
     #[must_use]
+    #[inline]
     pub fn parameter(&self, of_line: S) -> S {
         of_line.plus(self.offset).times(self.scale)
+    }
+}
+
+/// What is wrong with a ray, if anything.
+#[cold]
+#[inline(never)]
+fn check<S: Scalar>(origin: Vec3<S>, direction: Vec3<S>) -> Result<(), RayError> {
+    if !origin.is_finite() || !direction.is_finite() {
+        return Err(RayError::NotFinite);
+    }
+    if origin.max_abs() > S::REACH {
+        return Err(RayError::TooFar);
+    }
+    let largest = direction.max_abs();
+    if largest <= S::ZERO {
+        return Err(RayError::ZeroDirection);
+    }
+    if S::SHORTEST <= largest && largest <= S::LONGEST {
+        Ok(())
+    } else {
+        Err(RayError::DirectionLength)
     }
 }

@@ -1,8 +1,12 @@
 //! [`Scalar`] for `f32` and `f64`, and their error-free transformations.
 
+#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+use super::hardware::sqrt as sqrt_f32;
 use super::number::sealed::Sealed;
 use super::rebase::{Rebased, rebased};
 use super::{Chord, Number, Real, Scalar};
+#[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
+use libm::sqrtf as sqrt_f32;
 
 /// A binary floating-point number.
 pub trait Float: Real + Scalar<Unit = Self, Fine = Self, Factor = Self> {
@@ -29,8 +33,8 @@ pub(crate) fn two_sum<S: Float>(a: S, b: S) -> (S, S) {
 /// The product of two numbers and its rounding error, exactly: `a·b = product + error`.
 ///
 /// Dekker, *A floating-point technique for extending the available precision*, Numerische
-/// Mathematik 18 (1971), with Veltkamp's split. It uses products and sums only, so it gives the
-/// same bits with and without an FMA unit. Exact unless an intermediate leaves the type's range.
+/// Mathematik 18 (1971). It uses products and sums only, so it needs no FMA unit. Exact unless an
+/// intermediate leaves the type's range.
 #[inline]
 fn two_product<S: Split>(a: S, b: S) -> (S, S) {
     let product = a * b;
@@ -40,20 +44,42 @@ fn two_product<S: Split>(a: S, b: S) -> (S, S) {
     (product, error)
 }
 
+/// As [`two_product`], with an error that is rounded once where it has digits below the smallest
+/// subnormal number: as the other two ways round it.
+#[allow(dead_code)] // on targets with something faster
+fn two_product_soft(a: f32, b: f32) -> (f32, f32) {
+    /// 2^60 and 2^−120.
+    const LARGE: f32 = 1.152_921_504_606_847e18;
+    const SMALL: f32 = 7.523_163_845_262_64e-37;
+    let (product, error) = two_product(a, b);
+    if product.abs() >= 1e-30 {
+        return (product, error);
+    }
+    if product.abs() < f32::MIN_POSITIVE {
+        // The error is less than half of the smallest number.
+        return (product, 0.0);
+    }
+    (product, two_product(a * LARGE, b * LARGE).1 * SMALL)
+}
+
 /// The product of two numbers and its rounding error, by a product of twice the width.
 ///
-/// Where `f64` is as fast as `f32` this is faster than [`two_product`]; the bits are the same as
-/// long as no part of the error is below the smallest subnormal number.
+/// Where `f64` is as fast as `f32` this is faster than [`two_product`]; the bits are the same.
 #[inline]
-#[cfg_attr(not(target_pointer_width = "64"), allow(dead_code))]
+#[allow(dead_code)] // on targets without it
 fn two_product_wide(a: f32, b: f32) -> (f32, f32) {
     let exact = f64::from(a) * f64::from(b);
     let product = exact as f32;
     (product, (exact - f64::from(product)) as f32)
 }
 
-#[cfg(not(target_pointer_width = "64"))]
-use two_product as two_product_f32;
+#[cfg(all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64")))]
+use super::hardware::two_product as two_product_f32;
+#[cfg(not(any(
+    target_pointer_width = "64",
+    all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64"))
+)))]
+use two_product_soft as two_product_f32;
 #[cfg(target_pointer_width = "64")]
 use two_product_wide as two_product_f32;
 
@@ -93,17 +119,27 @@ trait Split: Float {
     fn split(self) -> (Self, Self);
 }
 
-macro_rules! float {
-    ($Float:ident, $Bits:ident, $splitter:literal, $reach:literal, $finest:literal, $two_product:path, $sqrt:path, $sin_cos:path, $floor:path) => {
-        impl Split for $Float {
-            #[inline]
-            fn split(self) -> (Self, Self) {
-                let shifted = self * $splitter;
-                let high = shifted - (shifted - self);
-                (high, self - high)
-            }
-        }
+impl Split for f32 {
+    #[inline]
+    fn split(self) -> (Self, Self) {
+        // Twelve bits of the 24 each: products of these fit, and cutting them off is exact.
+        let high = Self::from_bits(self.to_bits() & !0xfff);
+        (high, self - high)
+    }
+}
 
+impl Split for f64 {
+    #[inline]
+    fn split(self) -> (Self, Self) {
+        // 53 bits are odd: Veltkamp's split into 26 and 26 hides one in the low half's sign.
+        let shifted = self * 134_217_729.0;
+        let high = shifted - (shifted - self);
+        (high, self - high)
+    }
+}
+
+macro_rules! float {
+    ($Float:ident, $Bits:ident, $reach:literal, $finest:literal, $two_product:path, $sqrt:path, $sin_cos:path, $floor:path) => {
         impl Sealed for $Float {}
 
         impl Number for $Float {
@@ -332,8 +368,8 @@ macro_rules! float {
     };
 }
 
-float!(f32, u32, 4097.0, 1e15, 1e-12, two_product_f32, libm::sqrtf, libm::sincosf, libm::floorf);
-float!(f64, u64, 134_217_729.0, 1e60, 1e-60, two_product, libm::sqrt, libm::sincos, libm::floor);
+float!(f32, u32, 1e15, 1e-12, two_product_f32, sqrt_f32, libm::sincosf, libm::floorf);
+float!(f64, u64, 1e60, 1e-60, two_product, libm::sqrt, libm::sincos, libm::floor);
 
 #[cfg(test)]
 mod tests {
@@ -350,13 +386,15 @@ mod tests {
         }
 
         #[test]
-        fn both_products_have_the_same_bits(
-            x in 1f32..2.0, y in -2f32..-1.0, x_exponent in -50..50, y_exponent in -50..50,
+        fn all_products_have_the_same_bits(
+            x in 1f32..2.0, y in -2f32..-1.0, x_exponent in -126..60, y_exponent in -126..60,
         ) {
-            // The range where neither the split overflows nor the error underflows.
+            // Also where the error, or all of the product, is subnormal or vanishes.
             let (a, b) = (x * 2f32.powi(x_exponent), y * 2f32.powi(y_exponent));
-            let bits = |(product, error): (f32, f32)| (product.to_bits(), error.to_bits());
-            prop_assert_eq!(bits(two_product(a, b)), bits(two_product_wide(a, b)));
+            let bits = |(product, error): (f32, f32)| (product.to_bits(), error + 0.0);
+            let wide = bits(two_product_wide(a, b));
+            prop_assert_eq!(bits(two_product_soft(a, b)), wide);
+            prop_assert_eq!(bits((a * b, a.mul_add(b, -(a * b)))), wide);
         }
 
         #[test]

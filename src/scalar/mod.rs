@@ -14,6 +14,8 @@ mod factor;
 mod fine;
 mod fixed;
 mod float;
+#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+mod hardware;
 mod number;
 mod rebase;
 mod root;
@@ -28,7 +30,7 @@ pub use ::fixed::types::I16F16;
 pub(crate) use self::check::{Check, Stretch};
 pub(crate) use self::double::Double;
 pub(crate) use self::fixed::Fraction;
-pub(crate) use self::float::Float;
+pub(crate) use self::float::{Float, two_sum};
 pub(crate) use self::rebase::Rebased;
 
 use core::fmt::Debug;

@@ -31,33 +31,36 @@ impl<S: Scalar> Rebased<S> {
 /// coordinates are much larger.
 #[inline]
 pub(super) fn rebased<S: Float>(origin: [S; 3], direction: [S; 3]) -> Rebased<S> {
-    let scale = max_abs(direction).normalizing_power();
+    let [x, y, z] = direction;
+    let scale = x.abs().max(y.abs()).max(z.abs()).normalizing_power();
     let direction = direction.map(|coordinate| coordinate * scale);
     let unmoved = Rebased { scale, ..Rebased::unchanged(origin, direction) };
-    // 256: from nearer by, the crossings' own rounding errors outweigh those of the coordinates,
-    // and what lies near the line's start would lose digits to the shift.
-    let is_far = |near: [S; 3]| max_abs(origin) > max_abs(near) * S::from_int(256);
-    let [ox, oy, oz] = origin;
+    if is_far(origin, direction) { moved(unmoved) } else { unmoved }
+}
+
+/// Whether the line comes 256 times nearer to (0, 0, 0) than its origin is.
+///
+/// 256: from nearer by, the crossings' own rounding errors outweigh those of the coordinates, and
+/// what lies near the line's start would lose digits to the shift.
+///
+/// With φ the angle between the line and the direction to (0, 0, 0), that is sin φ < 1/256, and
+/// cos² φ = (o·d)²/(|o|²|d|²) > 1 − 2⁻¹⁶, which needs no division.
+#[inline]
+fn is_far<S: Float>(origin: [S; 3], direction: [S; 3]) -> bool {
+    let part = S::ONE - S::ONE / S::from_int(65_536);
+    let along = S::dot(origin, direction);
+    along * along > S::dot(origin, origin) * S::dot(direction, direction) * part
+}
+
+#[inline]
+fn moved<S: Float>(line: Rebased<S>) -> Rebased<S> {
+    let Rebased { origin: [ox, oy, oz], direction, .. } = line;
     let [dx, dy, dz] = direction;
-    let speed_squared = S::dot(direction, direction);
-    let roughly = -(S::dot(origin, direction) / speed_squared);
-    if !is_far([ox + dx * roughly, oy + dy * roughly, oz + dz * roughly]) {
-        return unmoved;
-    }
-    let offset = -(S::dot3(origin, direction) / speed_squared);
-    let moved = [
+    let offset = -(S::dot3(line.origin, direction) / S::dot(direction, direction));
+    let origin = [
         S::add_product(ox, offset, dx),
         S::add_product(oy, offset, dy),
         S::add_product(oz, offset, dz),
     ];
-    if is_far(moved) && moved.into_iter().all(S::is_finite) {
-        Rebased { origin: moved, offset, ..unmoved }
-    } else {
-        unmoved
-    }
-}
-
-#[inline]
-fn max_abs<S: Float>([x, y, z]: [S; 3]) -> S {
-    x.abs().max(y.abs()).max(z.abs())
+    if origin.into_iter().all(S::is_finite) { Rebased { origin, offset, ..line } } else { line }
 }

@@ -103,6 +103,8 @@ pub trait Solid: Shape {
     ///
     /// A ray that starts very far away may enter and exit a thin solid at parameters that round
     /// to the same number; the span is reported all the same.
+    // Always inline, so that a ray stays in registers.
+    #[inline(always)]
     fn trace<'a, const N: usize>(
         &self,
         ray: &Ray<Self::Scalar>,
@@ -137,6 +139,7 @@ pub trait Solid: Shape {
     }
 
     /// Fills the list with the spans of a line, in the line's own parameter.
+    #[inline(always)]
     fn line_spans<const N: usize>(
         &self,
         line: &Line<Self::Scalar>,

@@ -163,12 +163,19 @@ impl<S: Scalar> Passage<S> {
     /// The part of the line between the planes.
     #[inline]
     pub(super) fn span(self) -> Option<Span<S>> {
+        self.ends()?.checked()
+    }
+
+    /// Where the line is between the planes, also if rounding leaves that no length.
+    #[inline]
+    pub(super) fn ends(self) -> Option<Span<S>> {
         match self {
             Self::Along { inside } => inside.then_some(Span::whole_line(Face(0))),
             Self::Across { at: [low, high], upwards } => {
-                let low = Crossing { t: low, face: Face(0) };
-                let high = Crossing { t: high, face: Face(1) };
-                if upwards { Span::new(low, high) } else { Span::new(high, low) }
+                let (near, far) = if upwards { (low, high) } else { (high, low) };
+                let enter = Crossing { t: near, face: Face(u16::from(!upwards)) };
+                let exit = Crossing { t: far, face: Face(u16::from(upwards)) };
+                Some(Span { enter, exit })
             }
         }
     }

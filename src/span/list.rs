@@ -46,22 +46,26 @@ pub struct SpanList<S, const N: usize> {
 impl<S, const N: usize> SpanList<S, N> {
     /// An empty list.
     #[must_use]
+    #[inline]
     pub const fn new() -> Self {
         Self { spans: Vec::new() }
     }
 
     /// The spans, in ascending order.
     #[must_use]
+    #[inline]
     pub fn as_slice(&self) -> &[Span<S>] {
         &self.spans
     }
 
     /// Empties the list and lends it out as a stack.
+    #[inline]
     pub fn stack(&mut self) -> SpanStack<'_, S> {
         self.spans.clear();
         SpanStack { spans: &mut self.spans }
     }
 
+    #[inline]
     pub(crate) fn as_mut_slice(&mut self) -> &mut [Span<S>] {
         &mut self.spans
     }
@@ -76,6 +80,7 @@ impl<S, const N: usize> Default for SpanList<S, N> {
 impl<S, const N: usize> core::ops::Deref for SpanList<S, N> {
     type Target = [Span<S>];
 
+    #[inline]
     fn deref(&self) -> &[Span<S>] {
         &self.spans
     }

@@ -6,7 +6,7 @@ mod tube;
 
 pub(super) use tube::Tube;
 
-use super::intersect::{Intersect, Meeting};
+use super::intersect::Intersect;
 use super::slab::{Slab, SlabError};
 use super::{Shape, Solid};
 use crate::geom::{Direction, Line, Vec3};
@@ -47,7 +47,7 @@ crate::error_text!(CylinderError {
     Empty => "the cylinder has no length: its ends coincide or are the wrong way round",
 });
 
-const WALL: Face = Face(2);
+pub(super) const WALL: Face = Face(2);
 
 macro_rules! constructors {
     ($([$($generics:tt)*] $Scalar:ty),+) => {$(
@@ -167,16 +167,9 @@ impl<S: Scalar> Shape for Cylinder<S> {
 }
 
 impl<S: Intersect> Solid for Cylinder<S> {
+    #[inline(always)]
     fn spans(&self, line: &Line<S>, first: Face, stack: &mut SpanStack<'_, S>) {
-        let within_wall = match S::meet_tube(&self.tube, &self.caps.normal, line) {
-            Meeting::Beside | Meeting::Along => None,
-            Meeting::Within => Some(Span::whole_line(WALL)),
-            Meeting::Points(enter, exit) => wall_span(enter, exit),
-        };
-        let Some(wall) = within_wall else { return };
-        let Some(caps) = S::pass(&self.caps, line).span() else { return };
-        let span = caps.overlap(wall).or_else(|| self.shortest_span(line, caps, wall));
-        if let Some(span) = span {
+        if let Some(span) = S::cut(self, line) {
             stack.put(span.with_faces_from(first));
         }
     }
@@ -199,22 +192,9 @@ impl<S: Intersect> Solid for Cylinder<S> {
 }
 
 #[inline]
-fn wall_span<S: Scalar>(enter: S, exit: S) -> Option<Span<S>> {
+pub(super) fn wall_span<S: Scalar>(enter: S, exit: S) -> Option<Span<S>> {
     let at = |t| Crossing { t, face: WALL };
     Span::new(at(enter), at(exit))
-}
-
-impl<S: Intersect> Cylinder<S> {
-    /// The span of a line that is between caps and within the wall only for a moment, so that
-    /// where it begins and where it ends round to the same parameter.
-    fn shortest_span(&self, line: &Line<S>, caps: Span<S>, wall: Span<S>) -> Option<Span<S>> {
-        let (enter, exit) = caps.common_ends(wall);
-        if enter.t != exit.t {
-            return None;
-        }
-        let [enter_t, exit_t] = S::shortest(&self.tube, &self.caps, line, enter.t)?;
-        Span::new(Crossing { t: enter_t, ..enter }, Crossing { t: exit_t, ..exit })
-    }
 }
 
 impl<S: Scalar> Cylinder<S> {

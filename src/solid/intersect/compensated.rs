@@ -11,47 +11,100 @@
 
 use super::{Intersect, Meeting, Passage};
 use crate::geom::{Axis, Direction, Line, Vec3};
-use crate::scalar::{Double, Float};
-use crate::solid::cylinder::Tube;
+use crate::scalar::{Double, Float, two_sum};
+use crate::solid::cylinder::{Cylinder, Tube, WALL};
 use crate::solid::slab::Slab;
+use crate::span::{Crossing, Span};
 
 impl<S: Float> Tube<S> {
-    /// Where the line meets the wall: quickly, where little cancels.
-    ///
-    /// The discriminant is a difference of terms up to r²a, and its error reaches s divided by
-    /// 2√D. Along a coordinate axis it comes cheaply in twice the working precision; along others
-    /// it is kept where that quotient is small. Plain sums are good enough for b if it isn't small
-    /// beside |q||m| with s small as well, and for c from some way off the wall on.
+    /// Where the line meets the wall.
     fn meet(&self, axis: &Direction<S>, line: &Line<S>) -> Meeting<S> {
+        let Some(along) = axis.along() else { return self.meet_obliquely(axis, line) };
+        let [o, base, m] = [line.origin, self.base, line.direction].map(|v| along.across(v));
+        self.meet_clearly(o, base, m).unwrap_or_else(|| self.meet_across(o, base, m))
+    }
+
+    /// Along a coordinate axis: where the line meets the wall, if it is far from a tangent.
+    ///
+    /// There q and m are two coordinates of u and d, turned by 90°. Compensated are the two terms
+    /// that cancel wherever the line starts: k, and c. The error of D is then a few units of r²a,
+    /// and reaches s divided by 2√D: so √D·s ≥ r²a/2 holds it to a few units of s. `None` is for
+    /// what is nearer to a tangent, or to a parallel to the axis.
+    // Always: the answer is handed on in registers. Written to memory in pieces and read as a
+    // whole, it would wait for the writes.
+    #[inline(always)]
+    fn meet_clearly(&self, o: [S; 2], base: [S; 2], m: [S; 2]) -> Option<Meeting<S>> {
+        let q = [Double::sum(o[0], -base[0]), Double::sum(o[1], -base[1])];
+        let a = m[0] * m[0] + m[1] * m[1];
+        let k = S::product_difference(q[0].high, m[1], q[1].high, m[0])
+            + (q[0].low * m[1] - q[1].low * m[0]);
+        let largest = self.radius * self.radius * a;
+        let discriminant = largest - k * k;
+        let b = q[0].high * m[0] + q[1].high * m[1];
+        // NaN where D is negative: then it isn't clear.
+        let half = discriminant.sqrt();
+        let s = half + b.abs();
+        if half * s > largest * S::HALF {
+            let c = squared_less_square(q, self.radius);
+            let [enter, exit] = ends(a, b, c, half);
+            return Some(Meeting::Points(enter, exit));
+        }
+        // Several times what D can be wrong by, as long as no square has lost its digits.
+        let error = largest * S::EPSILON * S::from_int(32);
+        (discriminant < -error && a > S::EPSILON).then_some(Meeting::Beside)
+    }
+
+    /// Along a coordinate axis: where the line meets the wall, with everything that can cancel in
+    /// twice the working precision.
+    #[inline]
+    fn meet_across(&self, o: [S; 2], base: [S; 2], m: [S; 2]) -> Meeting<S> {
+        let q = [Double::sum(o[0], -base[0]), Double::sum(o[1], -base[1])];
+        let radius_squared = Double::product(self.radius, self.radius);
+        let a = Double::product(m[0], m[0]).plus_roughly(Double::product(m[1], m[1]));
+        if a.high <= S::ZERO {
+            let c = squared_less_square(q, self.radius);
+            return if c < S::ZERO { Meeting::Within } else { Meeting::Along };
+        }
+        let k = Double::product(q[0].high, m[1]).minus_roughly(Double::product(q[1].high, m[0]));
+        let k = Double { low: k.low + (q[0].low * m[1] - q[1].low * m[0]), ..k };
+        let discriminant = Double::product_less_square(radius_squared, a, k);
+        if discriminant < S::ZERO {
+            return Meeting::Beside;
+        }
+        let b = Double::product(q[0].high, m[0]).plus_roughly(Double::product(q[1].high, m[1]));
+        let b = b.high + (b.low + (q[0].low * m[0] + q[1].low * m[1]));
+        if discriminant == S::ZERO {
+            // A tangent has one root, but c/s would round to another number, or be 0/0.
+            let t = -b / a.high;
+            return Meeting::Points(t, t);
+        }
+        let c = squared_less_square(q, self.radius);
+        let [enter, exit] = ends(a.high, b, c, discriminant.sqrt());
+        Meeting::Points(enter, exit)
+    }
+
+    /// Along any axis: where the line meets the wall, quickly where little cancels.
+    ///
+    /// The error of D reaches s divided by 2√D, and is kept where that quotient is small. Plain
+    /// sums are good enough for b if it isn't small beside |q||m| with s small as well, and for c
+    /// from some way off the wall on.
+    #[inline(never)]
+    fn meet_obliquely(&self, axis: &Direction<S>, line: &Line<S>) -> Meeting<S> {
         let u = line.origin - self.base;
         let d = line.direction;
         let radius_squared = Double::product(self.radius, self.radius);
-        let (a, b, c, discriminant, distance_squared, is_precise) = match axis.along() {
-            // q and m are two coordinates of u and d, turned by 90°.
-            Some(along) => {
-                let ([q0, q1], [m0, m1]) = (along.across(u), along.across(d));
-                let a = Double::product(m0, m0).plus_roughly(Double::product(m1, m1));
-                let k = Double::product(q0, m1).minus_roughly(Double::product(q1, m0));
-                let discriminant = Double::product_less_square(radius_squared, a, k);
-                let squared = Double::product(q0, q0).plus_roughly(Double::product(q1, q1));
-                let c = squared.minus_roughly(radius_squared).round();
-                (a.high, q0 * m0 + q1 * m1, c, discriminant, squared.high, true)
-            }
-            None => {
-                let (m, q) = (d.cross(axis.vector()), u.cross(axis.vector()));
-                let (a, b, k) = (m.length_squared(), q.dot(m), u.dot_compensated(m));
-                let largest = radius_squared.high * a;
-                let discriminant = largest - k * k;
-                let error = largest * S::EPSILON * S::from_int(8);
-                let is_precise = if discriminant < S::ZERO {
-                    discriminant < -error
-                } else {
-                    discriminant * (discriminant + b * b) > largest * largest
-                };
-                let squared = q.length_squared();
-                (a, b, squared - radius_squared.high, discriminant, squared, is_precise)
-            }
+        let (m, q) = (d.cross(axis.vector()), u.cross(axis.vector()));
+        let (a, b, k) = (m.length_squared(), q.dot(m), u.dot_compensated(m));
+        let largest = radius_squared.high * a;
+        let discriminant = largest - k * k;
+        let error = largest * S::EPSILON * S::from_int(8);
+        let is_precise = if discriminant < S::ZERO {
+            discriminant < -error
+        } else {
+            discriminant * (discriminant + b * b) > largest * largest
         };
+        let distance_squared = q.length_squared();
+        let c = distance_squared - radius_squared.high;
         if is_precise && discriminant < S::ZERO {
             return Meeting::Beside;
         }
@@ -65,31 +118,17 @@ impl<S: Float> Tube<S> {
         }
     }
 
-    /// Where the line meets the wall: in twice the working precision throughout.
+    /// Along any axis: where the line meets the wall, in twice the working precision throughout.
     #[cold]
     #[inline(never)]
     fn meet_closely(&self, axis: &Direction<S>, line: &Line<S>) -> Meeting<S> {
         let u = difference(line.origin, self.base);
-        let d = widened(line.direction);
-        match axis.along() {
-            Some(along) => {
-                let (q, m) = (along.across(u), along.across(d));
-                self.roots_closely(q, m, turned(q, m))
-            }
-            None => {
-                let axis = widened(axis.vector());
-                let m = cross(d, axis);
-                self.roots_closely(cross(u, axis), m, dot(u.to_array(), m))
-            }
-        }
+        let (d, axis) = (widened(line.direction), widened(axis.vector()));
+        let m = cross(d, axis);
+        self.roots_closely(cross(u, axis), m, dot(u.to_array(), m))
     }
 
-    fn roots_closely<const N: usize>(
-        &self,
-        q: [Double<S>; N],
-        m: [Double<S>; N],
-        k: Double<S>,
-    ) -> Meeting<S> {
+    fn roots_closely(&self, q: [Double<S>; 3], m: [Double<S>; 3], k: Double<S>) -> Meeting<S> {
         let radius_squared = Double::product(self.radius, self.radius);
         let a = dot(m, m);
         let c = dot(q, q).minus(radius_squared).round();
@@ -105,6 +144,29 @@ impl<S: Float> Tube<S> {
         let far = s / a.round();
         points(far, c / s, b, discriminant)
     }
+}
+
+/// The roots s/a and c/s in ascending order, where `half` is √D and s has the sign of −b.
+#[inline]
+fn ends<S: Float>(a: S, b: S, c: S, half: S) -> [S; 2] {
+    let s = if b > S::ZERO { -half - b } else { half - b };
+    let far = s / a;
+    // With b = 0 both are ±√D/a: from either end of the line the same.
+    let near = if b == S::ZERO { -far } else { c / s };
+    [near.min(far), near.max(far)]
+}
+
+/// `|q|² − r²` with the errors of squares and sums added back.
+#[inline]
+fn squared_less_square<S: Float>(q: [Double<S>; 2], radius: S) -> S {
+    let [q0, q1] = q;
+    let (p0, e0) = S::two_product(q0.high, q0.high);
+    let (p1, e1) = S::two_product(q1.high, q1.high);
+    let (p2, e2) = S::two_product(radius, radius);
+    let (sum, f0) = two_sum(p0, p1);
+    let (sum, f1) = two_sum(sum, -p2);
+    let cross = q0.high * q0.low + q1.high * q1.low;
+    sum + (((e0 + e1) - e2) + (f0 + f1) + (cross + cross))
 }
 
 /// The points from the roots' sizes: `far` = (|b| + √D)/a, and `near` = c/(|b| + √D).
@@ -146,6 +208,53 @@ fn widened<S: Float>(v: Vec3<S>) -> Vec3<Double<S>> {
     Vec3::new(Double::from(v.x), Double::from(v.y), Double::from(v.z))
 }
 
+/// What the line has in the cylinder.
+// Always inline, as `Tube::meet_clearly`.
+#[inline(always)]
+fn cut<S: Float + Intersect>(cylinder: &Cylinder<S>, line: &Line<S>) -> Option<Span<S>> {
+    let Cylinder { tube, caps } = cylinder;
+    let axis = &caps.normal;
+    let Some(along) = axis.along() else { return cut_closely(cylinder, *line) };
+    let [o, d, base, n] =
+        [line.origin, line.direction, tube.base, axis.vector()].map(|v| along.turned(v));
+    let [at_zero, speed] = [n[0] * o[0], n[0] * d[0]];
+    match tube.meet_clearly([o[1], o[2]], [base[1], base[2]], [d[1], d[2]]) {
+        Some(Meeting::Points(enter, exit)) => {
+            caps.passage(at_zero, speed).ends()?.overlap(wall(enter, exit))
+        }
+        Some(Meeting::Beside) => None,
+        _ => cut_closely(cylinder, *line),
+    }
+}
+
+/// [`cut`] along any axis, and for lines that nearly touch the wall or run along it. Takes a copy of
+/// the line, so that the caller's can stay in registers.
+#[inline(never)]
+fn cut_closely<S: Float + Intersect>(cylinder: &Cylinder<S>, line: Line<S>) -> Option<Span<S>> {
+    let Cylinder { tube, caps } = cylinder;
+    let axis = &caps.normal;
+    let meeting = if let Some(along) = axis.along() {
+        let [o, base, m] = [line.origin, tube.base, line.direction].map(|v| along.across(v));
+        tube.meet_across(o, base, m)
+    } else {
+        tube.meet_obliquely(axis, &line)
+    };
+    let wall = match meeting {
+        Meeting::Points(enter, exit) => wall(enter, exit),
+        Meeting::Within => Span::whole_line(WALL),
+        Meeting::Beside | Meeting::Along => return None,
+    };
+    S::pass(caps, &line).ends()?.overlap(wall)
+}
+
+/// Where the wall is crossed; a tangent too, which has no span, and whose part between the caps has
+/// none either.
+#[inline]
+fn wall<S: Float>(enter: S, exit: S) -> Span<S> {
+    let [enter, exit] = [enter, exit].map(|t| Crossing { t, face: WALL });
+    Span { enter, exit }
+}
+
 /// Where the line is within `radius` of `center`, from `|u + t·d|² = r²` with the discriminant
 /// `r²|d|² − |u × d|²`: no large squares cancel.
 fn meet_ball<S: Float>(center: Vec3<S>, radius: S, line: &Line<S>) -> Option<[S; 2]> {
@@ -184,12 +293,56 @@ macro_rules! intersect {
                 slab.low <= height && height <= slab.high
             }
 
-            #[inline]
-            fn shortest(_: &Tube<Self>, _: &Slab<Self>, _: &Line<Self>, _: Self) -> Option<[Self; 2]> {
-                None
+            #[inline(always)]
+            fn cut(cylinder: &Cylinder<Self>, line: &Line<Self>) -> Option<Span<Self>> {
+                cut(cylinder, line)
             }
         }
     )+};
 }
 
 intersect!(f32, f64);
+
+#[cfg(test)]
+mod tests {
+    use crate::geom::{Ray, vec3};
+    use crate::solid::{Cylinder, Solid};
+    use crate::span::SpanList;
+    use proptest::prelude::*;
+    use std::vec::Vec;
+
+    macro_rules! spans {
+        ($Float:ident, $o:expr, $d:expr, $at:expr) => {{
+            let ([ox, oy, oz], [dx, dy, dz], [y, z, r]) =
+                ($o.map($Float::from), $d.map($Float::from), $at.map($Float::from));
+            let solid = Cylinder::<$Float>::along_x(y, z, r, -9.0, 9.0).ok();
+            let ray = Ray::<$Float>::new(vec3(ox, oy, oz), vec3(dx, dy, dz)).ok();
+            let mut list = SpanList::<$Float, 1>::new();
+            let spans = solid.zip(ray).map(|(solid, ray)| {
+                solid.trace(&ray, &mut list).iter().map(|s| [s.enter.t, s.exit.t]).collect()
+            });
+            spans.unwrap_or_else(Vec::<[$Float; 2]>::new)
+        }};
+    }
+
+    proptest! {
+        /// The distance from the axis isn't a number of the type then: its rounding would show.
+        #[test]
+        fn beside_the_origin_as_well(
+            [y, z] in [-3f32..3.0, -3f32..3.0], r in 0.5f32..1.5, gap in -1.5f32..-0.001,
+            back in -8f32..8.0, angle in 0f32..6.3, tilt in -0.5f32..0.5,
+        ) {
+            let (sin, cos) = (angle.sin(), angle.cos());
+            let distance = r * (1.0 + gap);
+            let o = [0.0, y + distance * cos - back * sin, z + distance * sin + back * cos];
+            let d = [tilt, -sin, cos];
+            let got = spans!(f32, o, d, [y, z, r]);
+            let want = spans!(f64, o, d, [y, z, r]);
+            prop_assert_eq!(got.len(), want.len());
+            for (got, want) in got.iter().flatten().zip(want.iter().flatten()) {
+                let ulp = f64::from((*want as f32).abs().next_up()) - f64::from((*want as f32).abs());
+                prop_assert!((f64::from(*got) - want).abs() < 6.0 * ulp, "{got} not {want}");
+            }
+        }
+    }
+}

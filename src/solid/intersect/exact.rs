@@ -14,9 +14,10 @@
 use super::quadratic::{Quadratic, Wide};
 use super::{Intersect, Meeting, Passage};
 use crate::geom::{Direction, Line, Vec3};
-use crate::scalar::{FixedI32, Fraction, Scalar, whole};
-use crate::solid::cylinder::Tube;
+use crate::scalar::{FixedI32, Fraction, whole};
+use crate::solid::cylinder::{Cylinder, Tube, WALL, wall_span};
 use crate::solid::slab::Slab;
+use crate::span::{Crossing, Span};
 use ethnum::I256;
 
 fn dot<const N: usize>(x: [i64; N], y: [i64; N]) -> i64 {
@@ -237,21 +238,38 @@ impl<F: Fraction> Intersect for FixedI32<F> {
         }
     }
 
-    fn shortest(
-        tube: &Tube<Self>,
-        caps: &Slab<Self>,
-        line: &Line<Self>,
-        t: Self,
-    ) -> Option<[Self; 2]> {
-        let planes = Planes::new(caps, line);
-        if planes.speed == 0 {
-            return None;
-        }
-        let is_inside = match Section::new(tube, &caps.normal, line) {
-            Section::Round(quadratic) => overlap(&quadratic, &planes),
-            Section::Oblique(quadratic) => overlap(&quadratic, &planes),
+    fn cut(cylinder: &Cylinder<Self>, line: &Line<Self>) -> Option<Span<Self>> {
+        let Cylinder { tube, caps } = cylinder;
+        let wall = match Self::meet_tube(tube, &caps.normal, line) {
+            Meeting::Points(enter, exit) => wall_span(enter, exit)?,
+            Meeting::Within => Span::whole_line(WALL),
+            Meeting::Beside | Meeting::Along => return None,
         };
-        let next = t.saturating_add(Self::from_bits(1));
-        (is_inside && t < next && Self::LOWEST < t).then_some([t, next])
+        let between = Self::pass(caps, line).ends()?.checked()?;
+        between.overlap(wall).or_else(|| shortest_span(cylinder, line, between, wall))
     }
+}
+
+/// The span of a line that is between the caps and within the wall for so short a time that where it
+/// begins and where it ends round to the same parameter.
+#[cold]
+fn shortest_span<F: Fraction>(
+    cylinder: &Cylinder<FixedI32<F>>,
+    line: &Line<FixedI32<F>>,
+    between: Span<FixedI32<F>>,
+    wall: Span<FixedI32<F>>,
+) -> Option<Span<FixedI32<F>>> {
+    let Cylinder { tube, caps } = cylinder;
+    let (enter, exit) = between.common_ends(wall);
+    let planes = Planes::new(caps, line);
+    let is_beyond = exit.t == FixedI32::<F>::MIN || enter.t == FixedI32::<F>::MAX;
+    if enter.t != exit.t || is_beyond || planes.speed == 0 {
+        return None;
+    }
+    let is_inside = match Section::new(tube, &caps.normal, line) {
+        Section::Round(quadratic) => overlap(&quadratic, &planes),
+        Section::Oblique(quadratic) => overlap(&quadratic, &planes),
+    };
+    let next = exit.t.saturating_add(FixedI32::from_bits(1));
+    is_inside.then_some(Span { enter, exit: Crossing { t: next, ..exit } })
 }

@@ -9,10 +9,11 @@ mod compensated;
 mod exact;
 mod quadratic;
 
-use super::cylinder::Tube;
+use super::cylinder::{Cylinder, Tube};
 use super::slab::Slab;
 use crate::geom::{Direction, Line, Vec3};
 use crate::scalar::Scalar;
+use crate::span::Span;
 
 /// A number type that lines can be intersected in: every [`Scalar`].
 pub trait Intersect: Scalar {
@@ -32,15 +33,9 @@ pub trait Intersect: Scalar {
     #[doc(hidden)]
     fn is_between(slab: &Slab<Self>, line: &Line<Self>, t: Self) -> bool;
 
-    /// A span shorter than parameters can tell, at `t`, of a line that is inside a tube and
-    /// between the caps at the same time; `None` if it isn't, or if that isn't known exactly.
+    /// The part of a line inside a cylinder.
     #[doc(hidden)]
-    fn shortest(
-        tube: &Tube<Self>,
-        caps: &Slab<Self>,
-        line: &Line<Self>,
-        t: Self,
-    ) -> Option<[Self; 2]>;
+    fn cut(cylinder: &Cylinder<Self>, line: &Line<Self>) -> Option<Span<Self>>;
 }
 
 /// Where a line meets the wall of a tube.
