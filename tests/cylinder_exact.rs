@@ -10,14 +10,19 @@
 //! class has to be the exact one wherever it is the same for a solid grown and shrunk by a
 //! relative ε, and each crossing has to lie between those of the two. Coordinates are at most 16
 //! and lengths at least 1, so a few rounding errors u of a coordinate are less than ε = 128 u.
+//!
+//! In fixed point the axis is rounded to 2⁻²⁸ and the caps' offsets to half a unit, so ε = 2⁻²² for
+//! the wall and 2⁻¹⁶ for the caps; then a parameter is rounded to half a unit. `fixed_exact.rs` has the cylinders whose axis is not rounded.
 
 #![allow(clippy::unwrap_used, clippy::result_large_err)] // Err is no error here
 
+mod number;
+
 use dashu_int::IBig;
+use number::{Tested, ray, spans};
 use proptest::prelude::*;
-use scancsg::geom::{Ray, vec3};
-use scancsg::solid::{Cylinder, CylinderWall, Solid};
-use scancsg::span::SpanList;
+use scancsg::scalar::I16F16;
+use scancsg::solid::CylinderWall;
 use std::cmp::Ordering;
 
 type V = [i64; 3];
@@ -114,9 +119,9 @@ fn caps(scene: &Scene, (sign, epsilon): Growth) -> Result<bool, [Surd; 2]> {
     Err(if is_forwards { [low, high] } else { [high, low] })
 }
 
-/// The line's span with the solid, if it has a length.
-fn span(scene: &Scene, growth: Growth) -> Option<[Surd; 2]> {
-    let (wall, caps) = (wall(scene, growth), caps(scene, growth));
+/// The line's span with the solid, if it has a length, for the ε of its wall and its caps.
+fn span(scene: &Scene, sign: i64, [of_wall, of_caps]: [u32; 2]) -> Option<[Surd; 2]> {
+    let (wall, caps) = (wall(scene, (sign, of_wall)), caps(scene, (sign, of_caps)));
     if wall.as_ref().is_ok_and(|inside| !inside) || caps.as_ref().is_ok_and(|inside| !inside) {
         return None;
     }
@@ -184,100 +189,117 @@ fn scenes() -> impl Strategy<Value = Scene> {
         .prop_filter("no direction", |scene| scene.direction != [0; 3])
 }
 
+trait Exact: Tested {
+    /// ε for the wall and for the caps is 2 to the minus this.
+    const EPSILON: [u32; 2];
+}
+
+impl Exact for f32 {
+    const EPSILON: [u32; 2] = [17; 2];
+}
+
+impl Exact for f64 {
+    const EPSILON: [u32; 2] = [46; 2];
+}
+
+impl Exact for I16F16 {
+    const EPSILON: [u32; 2] = [22, 16];
+}
+
+fn numbers(v: V) -> [f64; 3] {
+    v.map(|x| x as f64)
+}
+
+/// From where to where a parameter may have been rounded to this one.
+fn rounded_to<S: Exact>(t: f64) -> [Surd; 2] {
+    let room = if S::IS_FIXED { 0.5 * S::UNIT } else { 0.0 };
+    [t - room, t + room].map(Surd::float)
+}
+
+fn check<S: Exact>(scene: &Scene) -> Result<(), TestCaseError> {
+    let top: V = std::array::from_fn(|i| scene.base[i] + scene.axis[i]);
+    let solid = number::between::<S>(numbers(scene.base), numbers(top), scene.radius as f64);
+    let ray = ray(numbers(scene.origin), numbers(scene.direction));
+
+    let got = spans(&solid, &ray);
+    match (span(scene, 1, S::EPSILON), span(scene, -1, S::EPSILON)) {
+        (None, None) => prop_assert!(got.is_empty(), "hit: {:?}", got),
+        (Some(outer), Some(inner)) => {
+            prop_assert!(!got.is_empty(), "missed");
+            let [from, to] = rounded_to::<S>(got[0].0);
+            prop_assert!(outer[0].compare(&to).is_le(), "enters early: {:?}", got);
+            prop_assert!(inner[0].compare(&from).is_ge(), "enters late: {:?}", got);
+            let [from, to] = rounded_to::<S>(got[0].1);
+            prop_assert!(inner[1].compare(&to).is_le(), "exits early: {:?}", got);
+            prop_assert!(outer[1].compare(&from).is_ge(), "exits late: {:?}", got);
+        }
+        _ => {}
+    }
+
+    let got = CylinderWall::of(&solid).hit(&ray);
+    // Which root counts depends on radius, caps and start, and growing is not always for the
+    // better: a start on the wall gets inside. So all ways are tried.
+    let tubes: Vec<Option<Surd>> = (0..9)
+        .map(|i| tube(scene, (i % 3 - 1, S::EPSILON[0]), (i / 3 - 1, S::EPSILON[1])))
+        .collect();
+    let roots = |s: i64| tubes.iter().flatten().filter(move |t| t.s == s).count();
+    if tubes.iter().all(Option::is_none) {
+        prop_assert!(got.is_none(), "wall hit: {:?}", got);
+    } else if roots(-1) == 9 || roots(1) == 9 {
+        prop_assert!(got.is_some(), "missed the wall");
+        let got = got.unwrap();
+        let [from, to] = rounded_to::<S>(got.t.to_f64());
+        let [of_grown, of_shrunk] =
+            [1, -1].map(|sign| tube(scene, (sign, S::EPSILON[0]), (0, 0)).unwrap());
+        let first = roots(-1) == 9;
+        let [early, late] = if first { [of_grown, of_shrunk] } else { [of_shrunk, of_grown] };
+        prop_assert!(early.compare(&to).is_le(), "early: {:?}", got);
+        prop_assert!(late.compare(&from).is_ge(), "late: {:?}", got);
+    }
+    Ok(())
+}
+
+/// On whole numbers nothing that decides about a wall along a coordinate axis is rounded: tangents
+/// are misses, and the next grid line is a hit.
+fn check_tangent<S: Exact>(scene: &Scene, axis: usize) -> Result<(), TestCaseError> {
+    let mut along = Scene { axis: [0; 3], ..*scene };
+    along.axis[axis] = 64;
+    along.base[axis] = -32;
+    let exact = wall(&along, (0, 0));
+    let touches = matches!(&exact, Err([root, _]) if root.q == IBig::ZERO);
+    let misses = touches || matches!(exact, Ok(false));
+    let [x, y, z] = numbers(along.base).map(S::near);
+    let middle = [[y, z], [x, z], [x, y]][axis];
+    let [radius, low, high] = [along.radius as f64, -4000.0, 4000.0].map(S::near);
+    let solid = S::along(axis, middle, radius, low, high).unwrap();
+    let ray = ray(numbers(along.origin), numbers(along.direction));
+    prop_assert_eq!(spans(&solid, &ray).is_empty(), misses);
+    Ok(())
+}
+
 macro_rules! exact {
-    ($scalar:ident, $epsilon:literal) => {
-        mod $scalar {
+    ($($name:ident $S:ty),+) => {$(
+        mod $name {
             use super::*;
-
-            type S = $scalar;
-
-            fn check(scene: &Scene) -> Result<(), TestCaseError> {
-                let of = |v: V| vec3(v[0] as S, v[1] as S, v[2] as S);
-                let top = std::array::from_fn(|i| scene.base[i] + scene.axis[i]);
-                let solid =
-                    Cylinder::<S>::between(of(scene.base), of(top), scene.radius as S).unwrap();
-                let ray = Ray::new(of(scene.origin), of(scene.direction)).unwrap();
-                let [grown, shrunk] = [1, -1].map(|sign| (sign, $epsilon));
-
-                let mut list = SpanList::<S, 1>::new();
-                let got = solid.trace(&ray, &mut list).first();
-                match (span(scene, grown), span(scene, shrunk)) {
-                    (None, None) => prop_assert!(got.is_none(), "hit: {:?}", got),
-                    (Some(outer), Some(inner)) => {
-                        prop_assert!(got.is_some(), "missed");
-                        let got = got.unwrap();
-                        let [enter, exit] =
-                            [got.enter.t, got.exit.t].map(|t| Surd::float(t.into()));
-                        prop_assert!(outer[0].compare(&enter).is_le(), "enters early: {:?}", got);
-                        prop_assert!(inner[0].compare(&enter).is_ge(), "enters late: {:?}", got);
-                        prop_assert!(inner[1].compare(&exit).is_le(), "exits early: {:?}", got);
-                        prop_assert!(outer[1].compare(&exit).is_ge(), "exits late: {:?}", got);
-                    }
-                    _ => {}
-                }
-
-                let got = CylinderWall::of(&solid).hit(&ray);
-                // Which root counts depends on radius, caps and start, and growing is not always
-                // for the better: a start on the wall gets inside. So all ways are tried.
-                let tubes: Vec<Option<Surd>> = (0..9)
-                    .map(|i| tube(scene, (i % 3 - 1, $epsilon), (i / 3 - 1, $epsilon)))
-                    .collect();
-                let roots = |s: i64| tubes.iter().flatten().filter(move |t| t.s == s).count();
-                if tubes.iter().all(Option::is_none) {
-                    prop_assert!(got.is_none(), "wall hit: {:?}", got);
-                } else if roots(-1) == 9 || roots(1) == 9 {
-                    prop_assert!(got.is_some(), "missed the wall");
-                    let got = got.unwrap();
-                    let t = Surd::float(got.t.into());
-                    let [of_grown, of_shrunk] =
-                        [grown, shrunk].map(|growth| tube(scene, growth, (0, 0)).unwrap());
-                    let first = roots(-1) == 9;
-                    let [early, late] =
-                        if first { [of_grown, of_shrunk] } else { [of_shrunk, of_grown] };
-                    prop_assert!(early.compare(&t).is_le(), "early: {:?}", got);
-                    prop_assert!(late.compare(&t).is_ge(), "late: {:?}", got);
-                }
-                Ok(())
-            }
 
             proptest! {
                 #![proptest_config(ProptestConfig::with_cases(1000))]
 
                 #[test]
                 fn spans_and_walls(scene in scenes()) {
-                    check(&scene)?;
+                    check::<$S>(&scene)?;
                 }
 
-                /// On whole numbers nothing that decides about a wall along a coordinate axis
-                /// is rounded: tangents are misses, and the next grid line is a hit.
                 #[test]
                 fn tangents_are_decided_exactly(scene in scenes(), axis in 0..3usize) {
-                    let mut along = Scene { axis: [0; 3], ..scene };
-                    along.axis[axis] = 64;
-                    along.base[axis] = -32;
-                    prop_assume!(along.direction != [0; 3]);
-                    let exact = wall(&along, (0, 0));
-                    let touches = matches!(&exact, Err([root, _]) if root.q == IBig::ZERO);
-                    let misses = touches || matches!(exact, Ok(false));
-                    let of = |v: V| vec3(v[0] as S, v[1] as S, v[2] as S);
-                    let radius = along.radius as S;
-                    let [x, y, z] = along.base.map(|x| x as S);
-                    let solid = match axis {
-                        0 => Cylinder::<S>::along_x(y, z, radius, -1e6, 1e6),
-                        1 => Cylinder::<S>::along_y(x, z, radius, -1e6, 1e6),
-                        _ => Cylinder::<S>::along_z(x, y, radius, -1e6, 1e6),
-                    }.unwrap();
-                    let ray = Ray::new(of(along.origin), of(along.direction)).unwrap();
-                    let mut list = SpanList::<S, 1>::new();
-                    prop_assert_eq!(solid.trace(&ray, &mut list).is_empty(), misses);
+                    check_tangent::<$S>(&scene, axis)?;
                 }
             }
         }
-    };
+    )+};
 }
 
-exact!(f32, 17);
-exact!(f64, 46);
+exact!(f32 f32, f64 f64, i16f16 I16F16);
 
 /// The model would prove nothing if its scenes were all misses, or all hung by a hair.
 #[test]
@@ -287,7 +309,7 @@ fn the_scenes_are_worth_it() {
     let mut counts = [0; 4];
     for _ in 0..2000 {
         let scene = scenes().new_tree(&mut runner).unwrap().current();
-        let classes = [1, -1].map(|sign| span(&scene, (sign, 17)).is_some());
+        let classes = [1, -1].map(|sign| span(&scene, sign, [17; 2]).is_some());
         let tubes = [1, -1].map(|sign| tube(&scene, (sign, 17), (0, 0)).is_some());
         counts[0] += usize::from(classes == [true; 2]);
         counts[1] += usize::from(classes == [false; 2]);
