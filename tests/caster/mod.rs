@@ -197,9 +197,14 @@ impl Camera {
         Ray { origin, direction }
     }
 
+    /// From the eye to the target; an orthographic camera has none.
+    pub fn distance(&self) -> f64 {
+        if self.is_perspective { length(sub(self.target, self.eye)) } else { 0.0 }
+    }
+
     /// The smallest parameter that is seen.
     pub fn start(&self) -> f64 {
-        if self.is_perspective { -length(sub(self.target, self.eye)) } else { f64::NEG_INFINITY }
+        if self.is_perspective { -self.distance() } else { f64::NEG_INFINITY }
     }
 
     /// The pixel's ray moved by `by` scene units in eight directions.
@@ -209,50 +214,10 @@ impl Camera {
             self.ray(pixel, size, [by * cos, by * sin])
         })
     }
-}
 
-/// `tee`, by the numbers of its definition.
-pub fn tee() -> Solid {
-    let along_x = |y: f64, z: f64, radius: f64, low: f64, high: f64| Solid::Cylinder {
-        from: [low, y, z],
-        to: [high, y, z],
-        radius,
-    };
-    let along_y = |radius: f64, high: f64| Solid::Cylinder {
-        from: [0.0, 0.0, 0.0],
-        to: [0.0, high, 0.0],
-        radius,
-    };
-    let body = [
-        along_x(0.0, 0.0, 1.0, -2.0, 2.0),
-        along_x(0.0, 0.0, 1.6, -2.0, -1.7),
-        along_x(0.0, 0.0, 1.6, 1.7, 2.0),
-        along_y(0.8, 2.0),
-    ];
-    let bores = [
-        along_x(0.0, 0.0, 0.7, -3.0, 3.0),
-        along_y(0.5, 3.0),
-        along_x(1.3, 0.0, 0.15, -3.0, 3.0),
-        along_x(-1.3, 0.0, 0.15, -3.0, 3.0),
-        along_x(0.0, 1.3, 0.15, -3.0, 3.0),
-        along_x(0.0, -1.3, 0.15, -3.0, 3.0),
-    ];
-    Solid::Minus(Box::new(Solid::Any(body.to_vec())), Box::new(Solid::Any(bores.to_vec())))
-}
-
-/// The camera of every measurement.
-pub fn tee_orthographic() -> Camera {
-    let back = [0.6 * 0.866_025_4, 0.5, 0.8 * 0.866_025_4];
-    Camera {
-        target: [0.0; 3],
-        eye: times(back, 10.0),
-        up: [0.0, 1.0, 0.0],
-        frame_height: 4.4,
-        is_perspective: false,
+    /// The pixel's ray moved likewise and not turned, so that it is as far off near the eye.
+    pub fn rays_beside(&self, pixel: [u16; 2], size: [u16; 2], by: f64) -> [Ray; 8] {
+        let Ray { direction, .. } = self.ray(pixel, size, [0.0; 2]);
+        self.rays_around(pixel, size, by).map(|moved| Ray { direction, ..moved })
     }
-}
-
-pub fn tee_perspective() -> Camera {
-    let frame_height = 2.0 * length(tee_orthographic().eye) * (0.489_957_3_f64 / 2.0).tan();
-    Camera { frame_height, is_perspective: true, ..tee_orthographic() }
 }

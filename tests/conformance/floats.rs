@@ -1,0 +1,144 @@
+//! What only floating point can get wrong: subnormal numbers, numbers beyond any scene, distances
+//! of a million radii. Infinities and NaN are in `bad_input` and `rows`.
+
+use crate::number::{Tested, ball, ray, rod, spans, vector};
+use scancsg::geom::{Ray, Vec3, vec3};
+use scancsg::render::{CameraError, Orthographic, Perspective};
+use scancsg::solid::{CylinderError, Hit, Solid};
+use scancsg::span::SpanList;
+
+macro_rules! for_every_float {
+    ($($test:ident),+ $(,)?) => {
+        mod f32 {
+            $(#[test] fn $test() { super::$test::<f32>(); })+
+        }
+        mod f64 {
+            $(#[test] fn $test() { super::$test::<f64>(); })+
+        }
+    };
+}
+
+for_every_float!(
+    from_a_million_radii,
+    very_small_and_very_large_radii,
+    powers_of_two_scale_t_exactly,
+    enormous_and_minute_factors,
+    subnormal_and_enormous_directions,
+    the_ends_of_the_range,
+);
+
+/// What a float has and other numbers have not.
+trait Float: Tested {
+    const SMALLEST: Self;
+    const SMALLEST_NORMAL: Self;
+    const LARGEST: Self;
+}
+
+impl Float for f32 {
+    const SMALLEST: Self = f32::from_bits(1);
+    const SMALLEST_NORMAL: Self = f32::MIN_POSITIVE;
+    const LARGEST: Self = f32::MAX;
+}
+
+impl Float for f64 {
+    const SMALLEST: Self = f64::from_bits(1);
+    const SMALLEST_NORMAL: Self = f64::MIN_POSITIVE;
+    const LARGEST: Self = f64::MAX;
+}
+
+/// |o|² − r² loses r altogether from 10⁵ radii away in `f32`.
+fn from_a_million_radii<S: Float>() {
+    for past in [0.999, 1.001] {
+        for far in [1e4, 1e5, 1e6] {
+            let level = ray::<S>([0.5, past, far], [0.0, 0.0, -1.0]);
+            let count = spans(&rod::<S>(1.0, -2.0, 2.0), &level).len();
+            assert_eq!(count, usize::from(past < 1.0), "{past} {far}");
+        }
+    }
+}
+
+/// Squares of such radii are 10⁻⁸ and 10⁸ times those of the coordinates beside them.
+fn very_small_and_very_large_radii<S: Float>() {
+    for radius in [1e-4, 1e4].map(|r| S::near(r).to_f64()) {
+        let rod = rod::<S>(radius, -2.0, 2.0);
+        let across = ray::<S>([0.0, 3.0 * radius, 0.0], [0.0, -1.0, 0.0]);
+        let [(enter, exit)] = spans(&rod, &across)[..] else { panic!("a miss of {radius}") };
+        let error = (enter / radius - 2.0).abs().max((exit / radius - 4.0).abs());
+        assert!(error <= 2.0 * S::UNIT, "{radius}: {enter} {exit}");
+        let beside = ray::<S>([0.0, 0.0, radius * 1.0001], [0.0, 1.0, 0.0]);
+        assert_eq!(spans(&rod, &beside), []);
+    }
+}
+
+const ORIGIN: [f64; 3] = [6.0, 3.0, 8.0];
+const WAY: [f64; 3] = [-0.75, 0.125, -1.0];
+
+fn hit<S: Float>(way: [f64; 3]) -> Hit<S> {
+    let solid = rod::<S>(5.0, -2.0, 2.0);
+    solid.hit(&ray(ORIGIN, way), &mut SpanList::<S, 1>::new()).unwrap()
+}
+
+/// A power of two changes no digit of a direction, and none of anything that depends on it.
+fn powers_of_two_scale_t_exactly<S: Float>() {
+    let one = hit::<S>(WAY);
+    for power in [-60, -20, -3, 1, 20, 60] {
+        let scale = 2f64.powi(power);
+        let scaled = hit::<S>(WAY.map(|k| k * scale));
+        assert_eq!(scaled, Hit { t: S::near(one.t.to_f64() / scale), ..one });
+    }
+}
+
+fn enormous_and_minute_factors<S: Float>() {
+    let one = hit::<S>(WAY);
+    for factor in [1e-30, 3e-4, 7.0, 1e30] {
+        let scaled = hit::<S>(WAY.map(|k| k * factor));
+        assert_eq!((scaled.face, scaled.inside), (one.face, one.inside));
+        let off = scaled.t.to_f64() * factor / one.t.to_f64() - 1.0;
+        assert!(off.abs() <= 8.0 * S::UNIT, "{off} at {factor}");
+    }
+}
+
+/// Directions whose squares are zero or infinite, and coordinates that are subnormal.
+fn subnormal_and_enormous_directions<S: Float>() {
+    let rod = rod::<S>(1.0, -2.0, 2.0);
+    let subnormal = S::near(S::SMALLEST_NORMAL.to_f64() / 1024.0);
+    for length in [subnormal, S::SMALLEST_NORMAL, S::near(S::LARGEST.to_f64() / 2.0)] {
+        let down =
+            Ray::new(vector([0.0, 0.0, 5.0]), vec3(S::ZERO, S::ZERO, length.negated())).unwrap();
+        let [(enter, exit)] = spans(&rod, &down)[..] else { panic!("a miss at {length:?}") };
+        // The smallest directions have parameters beyond the type's range.
+        let length = length.to_f64();
+        if S::near(4.0 / length).is_finite() {
+            assert!((enter * length - 4.0).abs() < 1e-5, "{length}: {enter}");
+            assert!((exit * length - 6.0).abs() < 1e-5, "{length}: {exit}");
+        }
+    }
+    let ball = ball::<S>([0.0; 3], 1.0);
+    for length in [S::SMALLEST, S::SMALLEST_NORMAL, S::LARGEST] {
+        let ray = Ray::new(Vec3::ZERO, vec3(length, length.negated(), length)).unwrap();
+        let [(enter, exit)] = spans(&ball, &ray)[..] else { panic!("a miss at {length:?}") };
+        assert!(enter < 0.0 && exit > 0.0, "{enter} {exit}");
+    }
+    let tiny = S::SMALLEST;
+    let beside =
+        Ray::new(vec3(tiny, tiny, S::near(5.0)), vec3(tiny, S::ZERO, S::ONE.negated())).unwrap();
+    assert_eq!(spans(&rod, &beside), [(4.0, 6.0)]);
+}
+
+/// Numbers whose squares or inverses would overflow.
+fn the_ends_of_the_range<S: Float>() {
+    let end = vec3(S::LARGEST, S::LARGEST, S::LARGEST);
+    assert_eq!(S::between(Vec3::ZERO, end, S::ONE), Err(CylinderError::TooFar));
+    let (x, y) = (vector::<S>([1.0, 0.0, 0.0]), vector::<S>([0.0, 1.0, 0.0]));
+    let minute = S::near(S::SMALLEST_NORMAL.to_f64() / 64.0);
+    let camera = Orthographic::look_along(x, Vec3::ZERO, y, minute);
+    assert_eq!(camera, Err(CameraError::FrameHeight));
+    let eye = vec3(minute, S::ZERO, S::ZERO);
+    let camera = Perspective::look_at(eye, Vec3::ZERO, y, S::ONE);
+    assert_eq!(camera, Err(CameraError::ZeroDirection));
+    let camera = Perspective::look_at(x, Vec3::ZERO, y, S::near(std::f64::consts::PI));
+    assert_eq!(camera, Err(CameraError::FieldOfView));
+    for radius in [S::SMALLEST_NORMAL.negated(), S::SMALLEST.negated(), S::SMALLEST] {
+        assert_eq!(S::sphere(Vec3::ZERO, radius), Err(scancsg::solid::SphereError::Radius));
+    }
+}

@@ -1,0 +1,131 @@
+//! Cases that break the textbook's formulas, each with a sentence on why. The textbook's cases
+//! themselves are in `cylinders`, the laws of boolean algebra in `laws`.
+
+use crate::number::{Tested, ball, ray, rod, spans};
+use scancsg::solid::Solid;
+use scancsg::span::SpanList;
+
+for_every_number!(
+    from_thousands_of_radii,
+    grazing_from_both_directions,
+    almost_parallel_to_the_axis,
+    walls_of_a_few_units_in_the_last_place,
+    small_and_large_radii,
+    nested_differences_of_the_same_faces,
+    from_a_point_on_a_surface,
+    a_tangent_has_one_root,
+    one_can_look_through_a_flush_hole,
+);
+
+/// |o|² − r² loses digits of r with every factor of the distance, and b² − 4ac with it; the
+/// distance of the ray from the axis does not depend on where on it one begins.
+fn from_thousands_of_radii<S: Tested>() {
+    for past in [0.999, 1.001] {
+        for far in [1e2, 1e3, 4e3] {
+            let level = ray::<S>([0.5, past, far], [0.0, 0.0, -1.0]);
+            let count = spans(&rod::<S>(1.0, -2.0, 2.0), &level).len();
+            assert_eq!(count, usize::from(past < 1.0), "{past} {far}");
+        }
+    }
+}
+
+/// The discriminant of a grazing ray is smaller than the rounding errors of its terms. Powers of
+/// two make the distance exact: inside by one unit is a hit, outside a miss.
+fn grazing_from_both_directions<S: Tested>() {
+    for sign in [-1.0, 1.0] {
+        let graze = |y: f64| {
+            spans(&rod::<S>(1.0, -2.0, 2.0), &ray([0.0, y, 5.0 * sign], [0.0, 0.0, -sign]))
+        };
+        assert_eq!(graze(S::ONE.up().to_f64()).len(), 0);
+        assert_eq!(graze(1.0).len(), 0);
+        let within = S::ONE.down().to_f64();
+        let [(enter, exit)] = graze(within)[..] else { panic!("a miss") };
+        let chord = 2.0 * ((1.0 - within) * (1.0 + within)).sqrt();
+        let allowed = if S::IS_FIXED { S::UNIT } else { 8.0 * S::UNIT };
+        assert!((exit - enter - chord).abs() <= allowed, "{enter} {exit}");
+    }
+}
+
+/// Almost parallel, the roots are large numbers that differ by the length of the tube, and a
+/// formula that subtracts them, or 1 − dx², has no digit left.
+fn almost_parallel_to_the_axis<S: Tested>() {
+    for angle in [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7] {
+        let rod = rod::<S>(1.0, -2.0, 2.0);
+        let inside = ray::<S>([-5.0, 0.0, 0.25], [1.0, angle, 0.0]);
+        assert_eq!(spans(&rod, &inside), [(3.0, 7.0)], "{angle}");
+        let outside = ray::<S>([-5.0, 1.5, 0.0], [1.0, angle, 0.0]);
+        assert_eq!(spans(&rod, &outside), [], "{angle}");
+    }
+}
+
+/// A geometric tolerance would take these walls for nothing, or for thicker than they are.
+fn walls_of_a_few_units_in_the_last_place<S: Tested>() {
+    for units in 1..=4 {
+        let inner = (0..units).fold(S::ONE, |r, _| r.down()).to_f64();
+        let pipe = rod::<S>(1.0, -2.0, 2.0) - rod::<S>(inner, -2.0, 2.0);
+        let walls = spans(&pipe, &ray([0.0, 2.0, 0.0], [0.0, -1.0, 0.0]));
+        assert_eq!(walls.len(), 2, "{units}");
+        // Parameters are near 1 and 3, where a float's unit is one or four times that of the
+        // radius.
+        let allowed = if S::IS_FIXED { 0.0 } else { 2.0 * S::UNIT };
+        for (enter, exit) in walls {
+            assert!((exit - enter - (1.0 - inner)).abs() <= allowed, "{enter} {exit}");
+        }
+    }
+}
+
+/// Squares of such radii are far from those of the coordinates beside them.
+fn small_and_large_radii<S: Tested>() {
+    for radius in [1.0 / 64.0, 1024.0] {
+        let rod = rod::<S>(radius, -2.0, 2.0);
+        let across = ray::<S>([0.0, 3.0 * radius, 0.0], [0.0, -1.0, 0.0]);
+        let [(enter, exit)] = spans(&rod, &across)[..] else { panic!("a miss of {radius}") };
+        let error = (enter / radius - 2.0).abs().max((exit / radius - 4.0).abs());
+        assert!(error <= if S::IS_FIXED { 0.0 } else { 2.0 * S::UNIT }, "{radius}: {enter} {exit}");
+        let beside = ray::<S>([0.0, 0.0, radius * 1.0001], [0.0, 1.0, 0.0]);
+        assert_eq!(spans(&rod, &beside), []);
+    }
+}
+
+/// Each level takes away and adds faces in the same place; one of them left over, or one too many,
+/// shows as a wall.
+fn nested_differences_of_the_same_faces<S: Tested>() {
+    let (a, b) = (rod::<S>(1.0, -2.0, 2.0), rod::<S>(1.0, -2.0, 0.0));
+    for [origin, direction] in
+        [[[0.0, 0.0, 5.0], [0.25, 0.0, -1.0]], [[-9.0, 0.5, 0.0], [1.0, 0.0, 0.0]]]
+    {
+        let ray = ray::<S>(origin, direction);
+        assert_eq!(spans(&(a - (a - b)), &ray), spans(&b, &ray));
+        assert_eq!(spans(&(a - (a - (a - b))), &ray), spans(&(a - b), &ray));
+        assert_eq!(spans(&((a - b) | b), &ray), spans(&a, &ray));
+        assert_eq!(spans(&((a - b) & b), &ray), []);
+        assert_eq!(spans(&((a | b) - (b | a)), &ray), []);
+    }
+}
+
+/// A test for t > 0 instead of t ≥ 0 sees the far side, or nothing.
+fn from_a_point_on_a_surface<S: Tested>() {
+    let ball = ball::<S>([0.0; 3], 1.0);
+    let mut list = SpanList::<S, 1>::new();
+    for (down, inside) in [(-1.0, false), (1.0, true)] {
+        let hit = ball.hit(&ray([0.0, 1.0, 0.0], [0.0, down, 0.0]), &mut list).unwrap();
+        assert_eq!((hit.t.to_f64(), hit.inside), (0.0, inside));
+    }
+}
+
+/// The two roots of a tangent come from different quotients, and if they round to different
+/// numbers, the touch becomes a span.
+fn a_tangent_has_one_root<S: Tested>() {
+    let [x, y, radius, low, high] = [-6.0, 2.0, 2.0, -4000.0, 4000.0].map(S::near);
+    let rod = S::along(2, [x, y], radius, low, high).unwrap();
+    assert_eq!(spans(&rod, &ray([-15.0, 0.0, -15.0], [11.0, 0.0, 11.0])), []);
+}
+
+/// Along the bore's axis, where bore and shaft share both caps: nothing but the four coincident
+/// planes is met.
+fn one_can_look_through_a_flush_hole<S: Tested>() {
+    let pipe = rod::<S>(2.0, -1.0, 1.0) - rod::<S>(1.0, -1.0, 1.0);
+    assert_eq!(spans(&pipe, &ray([-5.0, 0.5, 0.25], [1.0, 0.0, 0.0])), []);
+    assert_eq!(spans(&pipe, &ray([-5.0, 0.5, 0.25], [1.0, 0.0, 0.1])), []);
+    assert_eq!(spans(&pipe, &ray([-5.0, 1.5, 0.0], [1.0, 0.0, 0.0])), [(4.0, 6.0)]);
+}

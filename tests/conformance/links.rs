@@ -1,0 +1,79 @@
+//! A small picture over the line: what arrives is what was rendered, whatever it was rendered in.
+
+use crate::number::{Tested, ball, rod, vector};
+use scancsg::geom::Vec3;
+use scancsg::render::{
+    Depth, Gray8, Lambert, Orthographic, Picture, Pixel, PixelFormat, Rgb565, Shader, Size,
+};
+use scancsg::solid::{Painted, Rgb, Solid};
+use scancsg::span::SpanList;
+use scancsg::stream::{Decoder, Event, FrameHeader, Receiver, Sender, packet_capacity};
+
+for_every_number!(grey, colours);
+
+const WIDTH: u16 = 24;
+const HEIGHT: u16 = 17;
+const CAPACITY: usize = packet_capacity(WIDTH, PixelFormat::Rgb565);
+
+/// Renders a part row by row into a sender, and returns the pixels that a receiver got; every one
+/// of them must be what the row had. Nothing but the sender's bytes goes from one to the other.
+fn over_the_line<S: Tested, P: Pixel + std::fmt::Debug>(shader: impl Shader<S> + Copy) -> Vec<u8> {
+    let ball = Painted::new(ball::<S>([0.25, 0.0, 0.0], 1.0), Rgb::new(200, 100, 50));
+    let part = ball - rod::<S>(0.5, -2.0, 2.0);
+    let [eye, up] = [[3.0, 2.0, 4.0], [0.0, 1.0, 0.0]].map(vector);
+    let camera = Orthographic::look_at(eye, Vec3::ZERO, up, S::near(2.5)).unwrap();
+    let size = Size::new(WIDTH, HEIGHT).unwrap();
+    let black = P::shaded(Rgb::WHITE, 0);
+    let picture = Picture::new(&part, &camera, size, shader, black);
+    let mut list = SpanList::<S, 8>::new();
+    let mut row = [black; WIDTH as usize];
+    let mut rendered = Vec::new();
+
+    let mut sender = Sender::<Vec<u8>, CAPACITY>::new(Vec::new());
+    let header = FrameHeader { frame: 3, width: WIDTH, height: HEIGHT, format: P::FORMAT };
+    sender.begin(header).unwrap();
+    for scanline in picture.scanlines() {
+        scanline.render(&mut list, &mut row).unwrap();
+        sender.row(scanline.y(), &row).unwrap();
+        rendered.extend(row.iter().flat_map(|pixel| pixel.to_le_bytes().as_ref().to_vec()));
+        let sees = |x| scanline.seen(x, &mut list).is_some();
+        let is_black: Vec<bool> = row.iter().map(|pixel| *pixel == black).collect();
+        assert!((0..WIDTH).map(sees).zip(is_black).all(|(sees, black)| sees || black));
+    }
+    sender.end().unwrap();
+
+    let mut memory = vec![0xAA; rendered.len()];
+    let mut flags = [false; HEIGHT as usize];
+    let mut receiver = Receiver::new(&mut memory, &mut flags);
+    let mut decoder = Decoder::<CAPACITY>::new();
+    let mut last = None;
+    let sent = sender.into_inner();
+    let mut bytes = &sent[..];
+    while let Some(packet) = decoder.feed(&mut bytes) {
+        last = Some(receiver.accept(&packet.unwrap()).unwrap());
+    }
+    assert_eq!(last, Some(Event::Complete));
+    assert_eq!(receiver.pixels(), rendered);
+    assert!(part.color(scancsg::span::Face(0)).is_some());
+    rendered
+}
+
+fn count(bytes: &[u8], is_one: impl Fn(u8) -> bool) -> usize {
+    bytes.iter().filter(|&&byte| is_one(byte)).count()
+}
+
+fn grey<S: Tested>() {
+    let light = Lambert::new(vector([0.25, 1.0, 0.5]), S::near(0.25)).unwrap();
+    let pixels = over_the_line::<S, Gray8>(light);
+    // The ball covers an area of π in a frame of 2.5 × 3.5 units.
+    let covered = count(&pixels, |level| level > 0);
+    assert!((130..160).contains(&covered), "{covered} of {}", pixels.len());
+    assert!(count(&pixels, |level| level > 100) > 20);
+}
+
+fn colours<S: Tested>() {
+    let depth = Depth::new(S::near(-1.5), S::near(1.5)).unwrap();
+    let pixels = over_the_line::<S, Rgb565>(depth);
+    assert_eq!(pixels.len(), 2 * usize::from(WIDTH * HEIGHT));
+    assert!(count(&pixels, |byte| byte > 0) > 130);
+}
