@@ -1,12 +1,14 @@
 //! Answers against the oracle.
 //!
 //! - A *class* is whether the ray, t ≥ 0, meets the solid. It is judged where it is robust. A line
-//!   that a method says to leave the solid at t < 0 is a miss; an answer of NaN is a hit.
+//!   that a method says to leave the solid at t < 0 is a miss; an answer of NaN is a hit. Where exact
+//!   classes are promised, it is whether the whole line is inside the solid for some length, and it is
+//!   judged always.
 //! - *Errors* are taken of the span's ends on the whole line, negative ones too, wherever method
 //!   and oracle have a span. A method that gives the first crossing only is asked about rays that
 //!   start robustly inside or outside: its answer is compared with the exit or with the entry.
 
-use crate::methods::{Answer, Gives, Method};
+use crate::methods::{Answer, Gives, Method, ULP, ulp_at};
 use crate::oracle::Truth;
 use crate::rays::Query;
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
@@ -16,10 +18,17 @@ use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 pub struct Accuracy {
     /// Of t_in and t_out, in the method's unit.
     pub errors: [Vec<f64>; 2],
-    /// How far the point that is seen lies off its face, in radii.
+    /// The same in ulps of an `f32`, if the method's unit is another one.
+    converted: [Vec<f64>; 2],
+    /// Ends that are not the nearest number to the exact one, though they could be: the exact ends
+    /// are not nearest to one number both.
+    pub misrounded: usize,
+    /// How far the point that is seen lies off its face, in radii or in units.
     pub points: Vec<f64>,
-    /// Rays with a robust class.
-    pub robust: usize,
+    /// Rays that the number type can hold.
+    pub asked: usize,
+    /// Rays whose class was judged.
+    pub judged: usize,
     pub false_hits: usize,
     pub false_misses: usize,
     pub nans: usize,
@@ -36,6 +45,7 @@ pub fn measure(method: &Method, cases: &[(Query, Truth)]) -> (Accuracy, Vec<Quer
     let hook = take_hook();
     set_hook(Box::new(|_| {}));
     for (query, truth) in cases {
+        accuracy.asked += 1;
         match catch_unwind(AssertUnwindSafe(|| (method.answer)(query))) {
             Err(_) => accuracy.panics += 1,
             Ok(Answer::Refused) => accuracy.refused += usize::from(truth.valid),
@@ -55,8 +65,13 @@ impl Accuracy {
         let is_nan = span.is_some_and(|[t_in, t_out]| t_in.is_nan() || t_out.is_nan());
         self.nans += usize::from(is_nan);
         let hits = span.is_some_and(|[_, t_out]| is_nan || t_out >= 0.0);
-        if let Some(truly_hits) = truth.robust_hit {
-            self.robust += 1;
+        let (hits, truly_hits) = if method.inputs.is_exact && truth.valid {
+            (span.is_some(), Some(truth.is_inside_somewhere))
+        } else {
+            (hits, truth.robust_hit)
+        };
+        if let Some(truly_hits) = truly_hits {
+            self.judged += 1;
             self.false_hits += usize::from(hits && !truly_hits);
             self.false_misses += usize::from(truly_hits && !hits);
         }
@@ -67,23 +82,38 @@ impl Accuracy {
                 (Gives::First, _) => [false, false],
             };
             for end in (0..2).filter(|&end| compared[end]) {
-                let unit = (method.inputs.unit_at)(want[end]);
-                self.errors[end].push((got[end] - want[end]).abs() / unit);
+                let (error, unit) =
+                    ((got[end] - want[end]).abs(), (method.inputs.unit_at)(want[end]));
+                self.errors[end].push(error / unit);
+                if method.inputs.unit != ULP {
+                    self.converted[end].push(error / ulp_at(want[end]));
+                }
+                let nearest = want.map(|t| (t / unit).round());
+                // The exact end itself was rounded to an f64.
+                let is_nearest = error <= (0.5 + 1e-6) * unit;
+                self.misrounded += usize::from(!is_nearest && nearest[0] < nearest[1]);
             }
         }
         // A ray that truly misses has no place where its point should be.
         if let (Some(point), Some(true)) = (method.point, truth.robust_hit) {
-            self.points.extend(point(query).map(|point| off_surface(query, point)));
+            let unit = (method.inputs.point_unit)(query);
+            self.points.extend(point(query).map(|point| off_surface(query, point) / unit));
         }
     }
 
     pub fn merge(&mut self, other: &Self) {
-        for (all, more) in self.errors.iter_mut().zip(&other.errors) {
-            all.extend(more);
+        for (all, more) in
+            [(&mut self.errors, &other.errors), (&mut self.converted, &other.converted)]
+        {
+            for (all, more) in all.iter_mut().zip(more) {
+                all.extend(more);
+            }
         }
         self.points.extend(&other.points);
         for (all, more) in [
-            (&mut self.robust, other.robust),
+            (&mut self.asked, other.asked),
+            (&mut self.judged, other.judged),
+            (&mut self.misrounded, other.misrounded),
             (&mut self.false_hits, other.false_hits),
             (&mut self.false_misses, other.false_misses),
             (&mut self.nans, other.nans),
@@ -95,11 +125,18 @@ impl Accuracy {
     }
 }
 
-/// The distance of a point from the face that it is said to lie on, in radii.
+impl Accuracy {
+    /// The errors of t_in or t_out in ulps of an `f32`, whatever the method counts in.
+    pub fn in_ulps(&self, end: usize) -> &[f64] {
+        if self.converted[end].is_empty() { &self.errors[end] } else { &self.converted[end] }
+    }
+}
+
+/// The distance of a point from the face that it is said to lie on.
 fn off_surface(query: &Query, (point, on_wall): ([f64; 3], bool)) -> f64 {
     let [x, y, z] = point;
     let distance = if on_wall { y.hypot(z) - query.radius } else { x.abs() - query.half_length };
-    distance.abs() / query.radius
+    distance.abs()
 }
 
 /// Median, 99th percentile (by nearest rank) and maximum; `None` of nothing.

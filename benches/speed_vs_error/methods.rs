@@ -1,18 +1,19 @@
 //! What is compared: methods, and the numbers that they work with.
 
 use crate::formulas;
-use crate::rays::Query;
+use crate::rays::{Query, REACH, UNIT, rounded};
 use parry3d::math::Vector;
 use parry3d::query::RayCast;
 use scancsg::geom::{Ray, vec3};
+use scancsg::scalar::I16F16;
 use scancsg::solid::{Cylinder, Solid};
 use scancsg::span::{Face, SpanList};
 use std::hint::black_box;
+use std::ops::RangeInclusive;
 
 /// The exact numbers that a method is asked with, and the unit of its error.
 ///
-/// Another number type, such as fixed point, is another constant of this type: `take` rounds to
-/// its grid, and the oracle is asked about the rounded query.
+/// The oracle is asked about the rounded query.
 pub struct Inputs {
     pub name: &'static str,
     pub unit: &'static str,
@@ -20,18 +21,56 @@ pub struct Inputs {
     pub unit_at: fn(f64) -> f64,
     /// The query in this type's numbers, or `None` outside of its range.
     pub take: fn(&Query) -> Option<Query>,
+    /// Whether the class of every line is promised, and not only that of robust rays.
+    pub is_exact: bool,
+    /// What the distance of a hit point from the surface is counted in.
+    pub point_unit: fn(&Query) -> f64,
 }
 
-/// Queries as they were drawn, in `f32`; also for `f64` methods, so that errors compare.
+/// Queries in `f32`; also for `f64` methods, so that errors compare.
 static F32: Inputs = Inputs {
     name: "f32",
-    unit: "ulp",
-    unit_at: |t| {
-        let near = (t as f32).abs();
-        f64::from(near.next_up() - near)
-    },
-    take: |query| Some(*query),
+    unit: ULP,
+    unit_at: ulp_at,
+    take: |query| Some(Query::from_numbers(query.numbers().map(rounded))),
+    is_exact: false,
+    point_unit: |query| query.radius,
 };
+
+/// The unit that errors in others are compared in.
+pub const ULP: &str = "ulp";
+
+/// The unit in the last place of an `f32`.
+pub fn ulp_at(t: f64) -> f64 {
+    let near = (t as f32).abs();
+    f64::from(near.next_up() - near)
+}
+
+/// Queries on the grid of multiples of 2⁻¹⁶, whose units are the same everywhere.
+static GRID: Inputs = Inputs {
+    name: "I16F16",
+    unit: "LSB",
+    unit_at: |_| UNIT,
+    take: on_grid,
+    is_exact: true,
+    point_unit: |_| UNIT,
+};
+
+/// What a ray or a cylinder of `I16F16` takes; NaN and infinities are no numbers of it. A direction
+/// of zero stays one, which is an error when the ray is made.
+fn on_grid(query: &Query) -> Option<Query> {
+    let rounded = Query::from_numbers(query.numbers().map(|x| (x / UNIT).round() * UNIT));
+    let largest = |v: [f64; 3]| v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    let is_taken = rounded.numbers().iter().all(|x| x.is_finite())
+        && largest(rounded.origin) <= REACH
+        && (query.direction == [0.0; 3] || LENGTHS.contains(&largest(rounded.direction)))
+        && (UNIT..=REACH).contains(&rounded.radius)
+        && (UNIT..=REACH).contains(&rounded.half_length);
+    is_taken.then_some(rounded)
+}
+
+/// Of the largest coordinate of a direction.
+const LENGTHS: RangeInclusive<f64> = 0.5..=4.0 * REACH;
 
 /// Which parameters a method answers with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -110,14 +149,14 @@ impl Method {
 /// The method that every time is a multiple of: the first one.
 pub const BASELINE: usize = 0;
 
-/// The method whose answers are held against the targets.
-pub const SHIPPED: [&str; 2] = ["scancsg", "f32"];
+/// The methods whose answers are held against the targets.
+pub const SHIPPED: [[&str; 2]; 2] = [["scancsg", "f32"], ["scancsg", "I16F16"]];
 
 pub fn methods() -> Vec<Method> {
     vec![
         Method::new(["textbook", "f32"], numbers_f32, formulas::f32::textbook),
         Method::new(["plain stable", "f32"], numbers_f32, formulas::f32::stable),
-        Method { point: Some(point_f32), ..Method::new(SHIPPED, ready_f32, trace_f32) },
+        Method { point: Some(point_f32), ..Method::new(SHIPPED[0], ready_f32, trace_f32) },
         Method::new(["scancsg prepared", "f32"], prepared_f32, |(ray, cylinder)| {
             spans_f32(ray, cylinder)
         }),
@@ -125,6 +164,12 @@ pub fn methods() -> Vec<Method> {
         Method::new(["plain stable", "f64"], numbers_f64, formulas::f64::stable),
         Method::new(["scancsg", "f64"], ready_f64, trace_f64),
         Method { gives: Gives::First, ..Method::new(["parry3d", "f32"], parry_input, parry) },
+        // Nothing that takes time is prepared in fixed point.
+        Method {
+            point: Some(point_i16f16),
+            inputs: &GRID,
+            ..Method::new(SHIPPED[1], ready_i16f16, trace_i16f16)
+        },
     ]
 }
 
@@ -137,43 +182,57 @@ fn numbers_f64(query: &Query) -> Option<formulas::f64::Input> {
 }
 
 macro_rules! shipped {
-    ($Float:ident $Ready:ident $ready:ident $trace:ident $spans:ident) => {
-        /// A cylinder, and origin and direction of a ray.
-        type $Ready = ([$Float; 3], [$Float; 3], Cylinder<$Float>);
-
-        fn $ready(query: &Query) -> Option<$Ready> {
-            let [ox, oy, oz, dx, dy, dz, r, h] = query.numbers().map(|x| x as $Float);
-            let cylinder = Cylinder::<$Float>::along_x(0.0, 0.0, r, -h, h).ok()?;
+    ($Scalar:ident $number:path, $ready:ident $trace:ident $prepared:ident $spans:ident $point:ident) => {
+        fn $ready(query: &Query) -> Option<Ready<$Scalar>> {
+            let [ox, oy, oz, dx, dy, dz, r, h] = query.numbers().map($number);
+            let [zero, low] = [0.0, -query.half_length].map($number);
+            let cylinder = Cylinder::<$Scalar>::along_x(zero, zero, r, low, h).ok()?;
             Some(([ox, oy, oz], [dx, dy, dz], cylinder))
         }
 
         /// A ray that can't be made is a miss here: all that is asked of it is not to hit.
-        fn $trace(&([ox, oy, oz], [dx, dy, dz], ref cylinder): &$Ready) -> Option<[$Float; 2]> {
+        fn $trace(
+            &([ox, oy, oz], [dx, dy, dz], ref cylinder): &Ready<$Scalar>,
+        ) -> Option<[$Scalar; 2]> {
             $spans(&Ray::new(vec3(ox, oy, oz), vec3(dx, dy, dz)).ok()?, cylinder)
         }
 
-        fn $spans(ray: &Ray<$Float>, cylinder: &Cylinder<$Float>) -> Option<[$Float; 2]> {
-            let mut list = SpanList::<$Float, 1>::new();
+        /// What a scene of many solids does once per ray is done before the clock starts.
+        #[allow(dead_code)] // not of every type
+        fn $prepared(query: &Query) -> Option<(Ray<$Scalar>, Cylinder<$Scalar>)> {
+            let ([ox, oy, oz], [dx, dy, dz], cylinder) = $ready(query)?;
+            Some((Ray::new(vec3(ox, oy, oz), vec3(dx, dy, dz)).ok()?, cylinder))
+        }
+
+        fn $spans(ray: &Ray<$Scalar>, cylinder: &Cylinder<$Scalar>) -> Option<[$Scalar; 2]> {
+            let mut list = SpanList::<$Scalar, 1>::new();
             cylinder.trace(ray, &mut list).first().map(|span| [span.enter.t, span.exit.t])
+        }
+
+        #[allow(dead_code)] // not of every type
+        fn $point(query: &Query) -> Option<SurfacePoint> {
+            let (ray, cylinder) = $prepared(query)?;
+            let hit = cylinder.hit(&ray, &mut SpanList::<$Scalar, 1>::new())?;
+            let point = [hit.point.x, hit.point.y, hit.point.z].map(f64::from);
+            Some((point, hit.face == Face(2)))
         }
     };
 }
 
-shipped!(f32 ReadyF32 ready_f32 trace_f32 spans_f32);
-shipped!(f64 ReadyF64 ready_f64 trace_f64 spans_f64);
+/// Origin and direction of a ray, and a cylinder.
+type Ready<S> = ([S; 3], [S; 3], Cylinder<S>);
 
-/// What a scene of many solids does once per ray is done before the clock starts.
-fn prepared_f32(query: &Query) -> Option<(Ray<f32>, Cylinder<f32>)> {
-    let ([ox, oy, oz], [dx, dy, dz], cylinder) = ready_f32(query)?;
-    Some((Ray::new(vec3(ox, oy, oz), vec3(dx, dy, dz)).ok()?, cylinder))
+fn narrowed(x: f64) -> f32 {
+    x as f32
 }
 
-fn point_f32(query: &Query) -> Option<SurfacePoint> {
-    let (ray, cylinder) = prepared_f32(query)?;
-    let hit = cylinder.hit(&ray, &mut SpanList::<f32, 1>::new())?;
-    let point = [hit.point.x, hit.point.y, hit.point.z].map(f64::from);
-    Some((point, hit.face == Face(2)))
+fn of_grid(x: f64) -> I16F16 {
+    I16F16::from_bits((x / UNIT) as i32)
 }
+
+shipped!(f32 narrowed, ready_f32 trace_f32 prepared_f32 spans_f32 point_f32);
+shipped!(f64 f64::from, ready_f64 trace_f64 prepared_f64 spans_f64 point_f64);
+shipped!(I16F16 of_grid, ready_i16f16 trace_i16f16 prepared_i16f16 spans_i16f16 point_i16f16);
 
 /// parry's cylinders stand along y, so x and y change places.
 fn parry_input(query: &Query) -> Option<(parry3d::query::Ray, parry3d::shape::Cylinder)> {

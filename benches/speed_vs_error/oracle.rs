@@ -16,6 +16,9 @@ pub struct Truth {
     pub valid: bool,
     /// Where the whole line is inside the closed solid, rounded to nearest.
     pub span: Option<[f64; 2]>,
+    /// Whether the whole line is inside the open solid for some length. Of the planes of the caps,
+    /// which a line may run in, the lower one counts as inside.
+    pub is_inside_somewhere: bool,
     /// Whether the ray, t ≥ 0, hits: if that is the same for r and h scaled by 1 ± 10⁻⁶.
     pub robust_hit: Option<bool>,
     /// Whether the ray starts inside: if that is the same for r and h scaled so.
@@ -26,7 +29,14 @@ impl Truth {
     pub fn of(query: &Query) -> Self {
         if !query.is_valid() {
             let (robust_hit, starts_inside) = (Some(false), None);
-            return Self { valid: false, span: None, robust_hit, starts_inside };
+            let is_inside_somewhere = false;
+            return Self {
+                valid: false,
+                span: None,
+                is_inside_somewhere,
+                robust_hit,
+                starts_inside,
+            };
         }
         let line = Line::new(query);
         let [smaller, exact, larger] = [-1, 0, 1].map(|millionths| line.span(millionths));
@@ -41,6 +51,7 @@ impl Truth {
                 let within = |[enter, exit]: &[Bound; 2]| enter.is_negative() && exit.is_positive();
                 span.as_ref().is_some_and(within)
             }),
+            is_inside_somewhere: line.is_inside_somewhere(),
             span: exact.map(|ends| ends.map(|end| end.to_f64(line.exponent))),
         }
     }
@@ -96,6 +107,19 @@ impl Line {
         let enter = wall_enter.max(caps_enter);
         let exit = wall_exit.min(caps_exit);
         (enter.compare(&exit) != Ordering::Greater).then_some([enter, exit])
+    }
+
+    fn is_inside_somewhere(&self) -> bool {
+        let [radius, half_length] = [&self.radius, &self.half_length].map(|length| length * SCALE);
+        let is_within_wall = if self.a == IBig::ZERO {
+            self.distance_squared < &radius * &radius
+        } else {
+            &self.k * &self.k < &radius * &radius * &self.a
+        };
+        let is_between_caps =
+            self.dx != IBig::ZERO || (-&half_length <= self.x && self.x < half_length);
+        let has_length = |[enter, exit]: &[Bound; 2]| enter.compare(exit) == Ordering::Less;
+        is_within_wall && is_between_caps && self.span(0).as_ref().is_some_and(has_length)
     }
 
     fn wall(&self, radius: &IBig) -> Option<[Bound; 2]> {

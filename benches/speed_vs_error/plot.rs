@@ -1,6 +1,7 @@
 //! The Pareto plot: time across, error up; the lower left is best.
 
 use crate::accuracy::percentiles;
+use crate::methods::ULP;
 use crate::rays::Group;
 use crate::results::{Results, Row};
 use plotters::coord::Shift;
@@ -34,7 +35,8 @@ const PANELS: [Panel; 4] = [
     },
 ];
 
-/// Distinguishable by colour-blind readers too (Okabe, Ito 2008).
+/// Distinguishable by colour-blind readers too (Okabe, Ito 2008); with the shape of the mark, which
+/// says what the error was counted in before it was converted.
 const COLORS: [RGBColor; 8] = [
     RGBColor(0, 0, 0),
     RGBColor(230, 159, 0),
@@ -57,7 +59,7 @@ struct Mark {
     method: usize,
     ratio: f64,
     error: f64,
-    /// Whether it gives every robust ray its class.
+    /// Whether it gives every ray its class that was judged.
     reliable: bool,
 }
 
@@ -68,11 +70,11 @@ pub fn write(results: &Results, path: &Path) -> Result<(), Box<dyn Error>> {
     let ratio_limit = 1.6 * largest(&mut all().map(|mark| mark.ratio));
     let error_limit = 4.0 * largest(&mut all().map(|mark| mark.error).filter(|e| e.is_finite()));
 
-    let root = SVGBackend::new(path, (900, 830)).into_drawing_area();
+    let root = SVGBackend::new(path, (900, 880)).into_drawing_area();
     root.fill(&WHITE)?;
     let (plots, legend) = root.split_vertically(720);
     for (area, (marks, panel)) in plots.split_evenly((2, 2)).iter().zip(&panels) {
-        draw_panel(area, panel, marks, [ratio_limit, error_limit])?;
+        draw_panel(area, panel, marks, results, [ratio_limit, error_limit])?;
     }
     draw_legend(&legend, results)?;
     root.present()?;
@@ -86,7 +88,7 @@ fn marks(results: &Results, shows: fn(&Row) -> bool) -> Vec<Mark> {
                 results.rows.iter().filter(|row| row.method == method && shows(row)).collect();
             let p99 = |end: usize| {
                 let errors: Vec<f64> =
-                    rows.iter().flat_map(|row| &row.accuracy.errors[end]).copied().collect();
+                    rows.iter().flat_map(|row| row.accuracy.in_ulps(end)).copied().collect();
                 percentiles(&errors).map(|[_, p99, _]| p99)
             };
             let error = [p99(0), p99(1)].into_iter().flatten().reduce(f64::max)?;
@@ -103,6 +105,7 @@ fn draw_panel(
     area: &Area<'_>,
     panel: &Panel,
     marks: &[Mark],
+    results: &Results,
     [ratio_limit, error_limit]: [f64; 2],
 ) -> Result<(), Box<dyn Error>> {
     let mut chart = ChartBuilder::on(area)
@@ -120,7 +123,7 @@ fn draw_panel(
         .light_line_style(TRANSPARENT)
         .bold_line_style(BLACK.mix(0.12))
         .x_desc("time, multiple of the textbook formula's")
-        .y_desc("error, p99 in ulps")
+        .y_desc("error, p99 in ulps of an f32")
         .x_label_formatter(&|ratio| format!("{ratio}"))
         .y_label_formatter(&|error| match *error {
             error if error >= 1e3 => format!("{error:.0e}"),
@@ -129,15 +132,27 @@ fn draw_panel(
         .draw()?;
     let target = [(0.5, 0.7 * LEAST_ERROR), (TARGET_RATIO, panel.target_ulps)];
     chart.draw_series([Rectangle::new(target, GREEN.mix(0.12).filled())])?;
-    chart.draw_series(marks.iter().map(|mark| {
+    for mark in marks {
         let at = (mark.ratio, mark.error.min(error_limit));
-        Circle::new(at, 6, style(mark.method, mark.reliable))
-    }))?;
+        let style = style(results, mark.method, mark.reliable);
+        if is_fixed(results, mark.method) {
+            chart.draw_series([TriangleMarker::new(at, 8, style)])?;
+        } else {
+            chart.draw_series([Circle::new(at, 6, style)])?;
+        }
+    }
     Ok(())
 }
 
-fn style(method: usize, reliable: bool) -> ShapeStyle {
-    let color = COLORS[method % COLORS.len()];
+fn is_fixed(results: &Results, method: usize) -> bool {
+    results.methods[method].inputs.unit != ULP
+}
+
+/// The colour is that of the method with the same name in the first number type, for fixed point.
+fn style(results: &Results, method: usize, reliable: bool) -> ShapeStyle {
+    let name = results.methods[method].name;
+    let first = results.methods.iter().position(|method| method.name == name).unwrap_or(method);
+    let color = COLORS[if is_fixed(results, method) { first } else { method } % COLORS.len()];
     let style = ShapeStyle::from(color).stroke_width(2);
     if reliable { style.filled() } else { style }
 }
@@ -147,17 +162,25 @@ fn draw_legend(area: &Area<'_>, results: &Results) -> Result<(), Box<dyn Error>>
     let cell = |i: usize| (72 + 210 * (i as i32 % 4), 14 + 26 * (i as i32 / 4));
     for (i, method) in results.methods.iter().enumerate() {
         let (x, y) = cell(i);
-        area.draw(&Circle::new((x, y), 6, style(i, true)))?;
+        let style = style(results, i, true);
+        if is_fixed(results, i) {
+            area.draw(&TriangleMarker::new((x, y + 1), 8, style))?;
+        } else {
+            area.draw(&Circle::new((x, y), 6, style))?;
+        }
         area.draw(&Text::new(method.label(), (x + 13, y - 7), font.clone()))?;
     }
     let notes = [
         "filled: no ray gets a wrong class that 10⁻⁶ of the size doesn't change; \
          open: some do",
-        "green: the target; at the lower edge: below 0.1 ulp; f64 is done in hardware here, as on few \
-         microcontrollers",
+        "green: the target of f32; at the lower edge: below 0.1 ulp; f64 is done in hardware here, as on \
+         few microcontrollers",
+        "triangles: fixed point, right within half a unit of 2⁻¹⁶ everywhere; that is many ulps of an f32 \
+         near by and few far away,",
+        "where it was asked about the rays that it can hold: of those from afar, the ones from 10³ radii",
     ];
     for (i, note) in notes.into_iter().enumerate() {
-        area.draw(&Text::new(note, (66, 60 + 20 * i as i32), font.clone()))?;
+        area.draw(&Text::new(note, (66, 86 + 19 * i as i32), font.clone()))?;
     }
     Ok(())
 }

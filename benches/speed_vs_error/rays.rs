@@ -1,6 +1,7 @@
-//! The ray sets: those of `tests/reference/README.md`, in draws as large as wanted.
+//! The ray sets: those of `tests/reference/README.md`, in draws as large as wanted, and some at the
+//! ends of what 32 bits of fixed point can hold.
 //!
-//! All geometry is done in `f64` and rounded once to `f32`.
+//! All geometry is done in `f64`; a method's [`Inputs`](crate::methods::Inputs) round it once.
 
 use crate::random::Random;
 
@@ -47,11 +48,12 @@ pub enum Group {
     Rim,
     Unnormalised,
     Exact,
+    Fixed,
     Invalid,
 }
 
 impl Group {
-    pub const ALL: [(Self, &str); 12] = [
+    pub const ALL: [(Self, &str); 13] = [
         (Self::Benign, "benign"),
         (Self::Far, "far"),
         (Self::Graze, "graze"),
@@ -63,6 +65,7 @@ impl Group {
         (Self::Rim, "capedge"),
         (Self::Unnormalised, "unnorm"),
         (Self::Exact, "exact"),
+        (Self::Fixed, "fixed"),
         (Self::Invalid, "invalid"),
     ];
 }
@@ -81,6 +84,12 @@ enum Size {
     Usual,
     Tiny,
     Huge,
+    /// A few units of 2⁻¹⁶ thick.
+    Units,
+    /// Up to 4096, and one half of them exactly that.
+    Reach,
+    /// Multiples of 5 units, so that 3-4-5 triangles have corners on the grid.
+    Fifths,
 }
 
 macro_rules! sets {
@@ -113,10 +122,19 @@ pub const SETS: &[Set] = sets! {
     Unnormalised Usual "unnorm_ext" |random, r, h| unnormalised(random, r, h, 10.0, 30.0);
     Exact Usual "par_exact" parallel;
     Exact Usual "perp_exact" perpendicular;
+    Fixed Usual "fixed_reach" from_reach;
+    Fixed Units "fixed_units" at_a_wire;
+    Fixed Reach "fixed_large" graze_large;
+    Fixed Tiny "fixed_short" short_chord;
+    Fixed Fifths "fixed_rim" through_a_rim;
     Invalid Usual "zero" zero;
     Invalid Usual "nan" |random, r, h| spoilt(random, r, h, f64::NAN);
     Invalid Usual "inf" |random, r, h| spoilt(random, r, h, f64::INFINITY);
 };
+
+/// The largest coordinate of `I16F16`, and its unit.
+pub const REACH: f64 = 4096.0;
+pub const UNIT: f64 = 1.0 / 65536.0;
 
 /// Cylinders per set.
 const CYLINDERS: usize = 16;
@@ -131,10 +149,19 @@ impl Set {
                 Size::Usual => (random.between(0.3, 1.5), random.between(0.5, 2.5)),
                 Size::Tiny => (random.between(1e-3, 2e-3), random.between(0.5, 1.5)),
                 Size::Huge => (random.between(1e4, 2e4), random.between(0.5e4, 2.5e4)),
+                Size::Units => (UNIT * (1.0 + random.below(64) as f64), random.between(0.5, 2.5)),
+                Size::Fifths => {
+                    let mut fifths = || 5.0 * UNIT * (1.0 + random.below(13_107) as f64);
+                    (fifths(), fifths())
+                }
+                Size::Reach if random.chance(0.5) => (REACH, REACH),
+                Size::Reach => {
+                    (random.between(0.25, 1.0) * REACH, random.between(0.25, 1.0) * REACH)
+                }
             };
             let [r, h] = [r, h].map(rounded);
             while queries.len() < count * (i + 1) / CYLINDERS {
-                let [origin, direction] = (self.draw)(&mut random, r, h).map(|v| v.map(rounded));
+                let [origin, direction] = (self.draw)(&mut random, r, h);
                 queries.push(Query { origin, direction, radius: r, half_length: h });
             }
         }
@@ -142,7 +169,7 @@ impl Set {
     }
 }
 
-fn rounded(x: f64) -> f64 {
+pub fn rounded(x: f64) -> f64 {
     f64::from(x as f32)
 }
 
@@ -261,6 +288,54 @@ fn perpendicular(random: &mut Random, r: f64, h: f64) -> [V; 2] {
     }
     let [_, y, z] = point_in(random, r, h, 1.2);
     [origin, unit([0.0, y - origin[1], z - origin[2]])]
+}
+
+/// From as far as can be, to a point near the cylinder, with a direction of any length.
+fn from_reach(random: &mut Random, r: f64, h: f64) -> [V; 2] {
+    let way = random.direction();
+    let largest = way.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    let origin = way.map(|x| x / largest * REACH * random.between(0.9, 1.0));
+    let target = point_in(random, r, h, 1.2);
+    let length = 10f64.powf(random.between(0.0, 4.0));
+    [origin, unit(along(target, -1.0, origin)).map(|x| length * x)]
+}
+
+/// From nearby, to a point in or beside a cylinder of a few units.
+fn at_a_wire(random: &mut Random, r: f64, h: f64) -> [V; 2] {
+    let distance = random.between(1.0, 4.0);
+    let origin = random.direction().map(|x| distance * x);
+    let target = point_in(random, r, h, 1.5);
+    [origin, along(target, -1.0, origin)]
+}
+
+/// Passes the wall of a cylinder as large as can be at up to 4 units, inside or outside; where that
+/// is a chord at all, it has a thousandth of the radius.
+fn graze_large(random: &mut Random, r: f64, h: f64) -> [V; 2] {
+    let normal = random.across();
+    let [_, y, z] = normal;
+    let distance = r + UNIT * random.between(-4.0, 4.0);
+    let nearest = along([0.9 * h * random.between(-1.0, 1.0), 0.0, 0.0], distance, normal);
+    let tilt = random.between(-1.0, 1.0);
+    let direction = along([tilt, 0.0, 0.0], (1.0 - tilt * tilt).sqrt(), [0.0, -z, y]);
+    [along(nearest, random.between(-8.0, 8.0), direction), direction]
+}
+
+/// As benign, with directions so long that all of the chord lies in a unit or two of the parameter.
+fn short_chord(random: &mut Random, r: f64, h: f64) -> [V; 2] {
+    let [origin, direction] = benign(random, r, h);
+    let length = random.between(0.25, 1.0) * 4.0 * REACH;
+    [origin, direction.map(|x| length * x)]
+}
+
+/// From a point of the grid nearby, exactly through a point of a rim, where wall and cap are crossed
+/// at one parameter: half of the rays only touch the cylinder there.
+fn through_a_rim(random: &mut Random, r: f64, h: f64) -> [V; 2] {
+    const CORNERS: [[f64; 2]; 4] = [[5.0, 0.0], [3.0, 4.0], [-4.0, 3.0], [0.0, -5.0]];
+    let [y, z] = CORNERS[random.below(CORNERS.len())].map(|fifths| fifths * r / 5.0);
+    let rim = [random.sign() * h, y, z];
+    let distance = random.between(1.0, 4.0);
+    let origin = random.direction().map(|x| (distance * x / UNIT).round() * UNIT);
+    [origin, along(rim, -1.0, origin)]
 }
 
 fn zero(random: &mut Random, r: f64, h: f64) -> [V; 2] {

@@ -34,7 +34,7 @@ pub fn table(results: &Results) -> String {
         let in_unit = [format!("t_in ({unit})"), format!("t_out ({unit})")];
         let _ = writeln!(
             text,
-            "\n{:20}{:>12}{:>24}{:>12}{:>18}",
+            "\n{:24}{:>11}{:>24}{:>12}{:>18}",
             method.label(),
             in_unit[0],
             in_unit[1],
@@ -76,22 +76,23 @@ pub fn table(results: &Results) -> String {
 /// Every method on every set.
 pub fn csv(results: &Results) -> String {
     let mut text = String::from(
-        "set,method,number,unit,rays,robust,ns_per_ray,time_ratio,\
+        "set,method,number,unit,rays,judged,ns_per_ray,time_ratio,\
          t_in_p50,t_in_p99,t_in_max,t_out_p50,t_out_p99,t_out_max,\
-         false_hits,false_misses,nans,panics,not_taken,point_off_surface_max\n",
+         false_hits,false_misses,nans,panics,not_taken,point_off_surface_max,\
+         t_in_p99_ulps,t_out_p99_ulps\n",
     );
     for row in &results.rows {
         let method = &results.methods[row.method];
-        let Accuracy { errors, points, robust, false_hits, false_misses, nans, panics, refused } =
-            &row.accuracy;
+        let Accuracy { errors, points, asked, judged, .. } = &row.accuracy;
+        let Accuracy { false_hits, false_misses, nans, panics, refused, .. } = &row.accuracy;
         let cost = row.cost.map_or_else(
             || ",".to_string(),
             |cost| format!("{:.2},{:.3}", cost.nanoseconds, cost.ratio),
         );
         let _ = write!(
             text,
-            "{},{},{},{},{},{robust},{cost}",
-            row.set.name, method.name, method.number, method.inputs.unit, results.rays
+            "{},{},{},{},{asked},{judged},{cost}",
+            row.set.name, method.name, method.number, method.inputs.unit
         );
         for errors in errors {
             match percentiles(errors) {
@@ -102,6 +103,12 @@ pub fn csv(results: &Results) -> String {
         let _ = write!(text, ",{false_hits},{false_misses},{nans},{panics},{refused},");
         if let Some([_, _, max]) = percentiles(points) {
             let _ = write!(text, "{max:.3e}");
+        }
+        for end in 0..2 {
+            match percentiles(row.accuracy.in_ulps(end)) {
+                Some([_, p99, _]) => _ = write!(text, ",{p99:.3e}"),
+                None => text.push(','),
+            }
         }
         text.push('\n');
     }
@@ -116,11 +123,17 @@ pub fn markdown(results: &Results) -> String {
          the plot.\n\n\
          ![Time against error of each method](speed_vs_error.svg)\n\n\
          {} rays in each of {} sets, against a cylinder with caps. Time is a multiple of the \
-         textbook `f32` formula's in the same run, and differs from machine to machine; this one has `f64` in \
-         hardware. Errors are \
-         in units in the last place of an `f32` at the exact parameter (median / 99th percentile / \
-         largest), those of `f64` methods too. Classes are counted as wrong where they don't change when the cylinder is 10⁻⁶ \
-         larger or smaller. \"Other\" is answers of NaN, panics, and valid rays not taken.\n",
+         textbook `f32` formula's in the same run, and differs from machine to machine; this one \
+         has `f64` in hardware.\n\n\
+         Errors are median / 99th percentile / largest. Floating point's are in **ulps**: units in \
+         the last place of an `f32` at the exact parameter, those of `f64` methods too. Fixed \
+         point's are in **LSB**: units of 2⁻¹⁶, which are as large everywhere. Near a parameter of \
+         4, an LSB is 32 ulps; beyond 256 it is less than one. The last column has the 99th \
+         percentile in ulps, of either end, for all methods.\n\n\
+         Classes of floating-point methods are counted as wrong where they don't change when the \
+         cylinder is 10⁻⁶ larger or smaller; classes of `I16F16` always, grazing or not. \"Other\" \
+         is answers of NaN, panics, and valid rays not taken. `I16F16` is asked about the rays that \
+         it can hold, rounded to its grid; \"rays\" says how many these are.\n",
         results.rays,
         SETS.len()
     );
@@ -128,20 +141,23 @@ pub fn markdown(results: &Results) -> String {
         let _ = write!(
             text,
             "\n## {name}\n\n\
-             | method | time | t_in | t_out | false hits | false misses | other |\n\
-             |---|---:|---:|---:|---:|---:|---:|\n"
+             | method | rays | time | t_in | t_out | unit | false hits | false misses | other | p99, ulps |\n\
+             |---|---:|---:|---:|---:|---|---:|---:|---:|---:|\n"
         );
         for (i, method) in results.methods.iter().enumerate() {
             let summary = results.summary(i, group);
-            let Accuracy { errors, false_hits, false_misses, nans, panics, refused, .. } =
-                &summary.accuracy;
+            let accuracy = &summary.accuracy;
+            let Accuracy { errors, asked, false_hits, false_misses, .. } = accuracy;
             let [t_in, t_out] = [0, 1].map(|end| columns(&errors[end]).join(" / "));
-            let other = nans + panics + refused;
+            let other = accuracy.nans + accuracy.panics + accuracy.refused;
+            let p99 = |end| percentiles(accuracy.in_ulps(end)).map(|[_, p99, _]| p99);
             let _ = writeln!(
                 text,
-                "| {} | {} | {t_in} | {t_out} | {false_hits} | {false_misses} | {other} |",
+                "| {} | {asked} | {} | {t_in} | {t_out} | {} | {false_hits} | {false_misses} | {other} | {} |",
                 method.label(),
                 or_dash(summary.ratio),
+                method.inputs.unit,
+                or_dash([p99(0), p99(1)].into_iter().flatten().reduce(f64::max)),
             );
         }
     }
