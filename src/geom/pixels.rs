@@ -9,7 +9,7 @@
 //! two pixels. So they are whole numbers.
 
 use super::{Line, Pose, Vec3};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Number, Real, Scalar};
 
 /// A pixel's column: its index, and its centre counted from the middle of the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -128,27 +128,32 @@ pub trait Rays: Copy {
 pub struct Parallel<S: Scalar> {
     /// What the middle of the picture shows.
     pub center: Vec3<S::Fine>,
-    /// The step in the image plane to the right, over half a pixel.
+    /// The direction to the right in the image plane, of length 1.
     pub right: Vec3<S::Fine>,
-    /// The step in the image plane downwards, over half a pixel.
+    /// The direction downwards in the image plane, of length 1.
     pub down: Vec3<S::Fine>,
     /// The viewing direction, of length 1.
     pub forward: Vec3<S::Fine>,
+    /// The size of half a pixel.
+    pub pitch: S::Fine,
     /// The number of columns.
     pub columns: u32,
 }
 
 impl<S: Scalar> Parallel<S> {
-    /// The way in the image plane from the point `from` to the pixel.
-    fn offset(&self, from: Vec3<S::Fine>, x: i32, y: i32) -> Vec3<S::Fine> {
-        let steps = |from: S::Fine, right: S::Fine, down: S::Fine| {
-            from.after_steps(right, x).after_steps(down, y)
+    /// The middle of the picture as seen from a point, and the steps of half a pixel to the right
+    /// and down.
+    pub(crate) fn steps(&self, from: Vec3<S::Fine>) -> [Vec3<S::Fine>; 3] {
+        [self.center - from, self.right * self.pitch, self.down * self.pitch]
+    }
+
+    /// The way to the pixel in the image plane.
+    fn offset(&self, x: i32, y: i32) -> Vec3<S::Fine> {
+        let [_, right, down] = self.steps(Vec3::ZERO);
+        let steps = |right: S::Fine, down: S::Fine| {
+            S::Fine::ZERO.after_steps(right, x).after_steps(down, y)
         };
-        Vec3::new(
-            steps(from.x, self.right.x, self.down.x),
-            steps(from.y, self.right.y, self.down.y),
-            steps(from.z, self.right.z, self.down.z),
-        )
+        Vec3::new(steps(right.x, down.x), steps(right.y, down.y), steps(right.z, down.z))
     }
 }
 
@@ -160,7 +165,7 @@ impl<S: Scalar> Rays for Parallel<S> {
     }
 
     fn line(&self, x: i32, y: i32) -> Line<S> {
-        let origin = self.offset(self.center, x, y).map(S::from_fine);
+        let origin = (self.center + self.offset(x, y)).map(S::from_fine);
         Line { origin, direction: self.forward.map(S::from_fine) }
     }
 
@@ -174,7 +179,7 @@ impl<S: Scalar> Rays for Parallel<S> {
             right: pose.turned_back(self.right),
             down: pose.turned_back(self.down),
             forward: pose.turned_back(self.forward),
-            columns: self.columns,
+            ..*self
         }
     }
 }
@@ -201,7 +206,7 @@ impl<S: Scalar> Rays for Pencil<S> {
     }
 
     fn line(&self, x: i32, y: i32) -> Line<S> {
-        let offset = self.plane.offset(Vec3::ZERO, x, y);
+        let offset = self.plane.offset(x, y);
         Line {
             origin: (self.plane.center + offset).map(S::from_fine),
             direction: (self.plane.forward + offset * self.convergence).map(S::from_fine),

@@ -72,12 +72,12 @@ impl<T: Real> Gaze<T> {
     }
 
     fn parallel<S: Scalar<Fine = T>>(&self, frame_height: T, size: Size) -> Parallel<S> {
-        let half_pitch = frame_height / T::from_int(2 * i32::from(size.height()));
         Parallel {
             center: self.target,
-            right: self.right * half_pitch,
-            down: self.down * half_pitch,
+            right: self.right,
+            down: self.down,
             forward: self.forward,
+            pitch: frame_height / T::from_int(2 * i32::from(size.height())),
             columns: u32::from(size.width()),
         }
     }

@@ -1,7 +1,7 @@
 //! Factors of any size for fixed-point numbers.
 
 use super::Fine;
-use super::whole::{narrow, normalized, reciprocal, shift_right};
+use super::whole::{normalized, reciprocal, shift_right};
 
 /// `mantissa · 2^−shift`: a number ≥ 0 with 31 significant bits, whatever its size.
 ///
@@ -33,14 +33,14 @@ impl Factor {
 
     /// `bits · self · 2^exponent`, rounded; what leaves the range stays at its end.
     #[inline]
-    pub(super) fn times(self, bits: i32, exponent: i32) -> i32 {
+    pub(super) fn times(self, bits: i32, exponent: i32) -> i64 {
         let product = i64::from(bits) * i64::from(self.mantissa);
-        narrow(shift_right(product, self.shift - exponent))
+        shift_right(product, self.shift - exponent)
     }
 
     /// As [`times`](Self::times), of a number of 64 bits, of which the first 32 count.
     #[inline]
-    pub(super) fn times_wide(self, bits: i64, exponent: i32) -> i32 {
+    pub(super) fn times_wide(self, bits: i64, exponent: i32) -> i64 {
         let spare = bits.unsigned_abs().leading_zeros() as i32;
         let drop = (33 - spare).max(0);
         self.times(

@@ -92,9 +92,9 @@ fn rounded<F: Fraction>(bits: i64, shift: u32) -> FixedI32<F> {
     FixedI32::from_bits(narrow(shift_right(bits, shift as i32)))
 }
 
-/// The nearest number with the root of `square · 2^exponent` bits.
+/// The nearest whole number to the root of `square · 2^exponent`.
 #[inline]
-fn root<F: Fraction>(square: u64, exponent: i32) -> FixedI32<F> {
+fn root(square: u64, exponent: i32) -> i64 {
     // An even exponent can be halved; the root has all its 32 bits if the square has 64.
     let zeros = square.leading_zeros() as i32;
     let spare = if (zeros + exponent) & 1 == 0 { zeros } else { zeros - 1 };
@@ -103,7 +103,7 @@ fn root<F: Fraction>(square: u64, exponent: i32) -> FixedI32<F> {
     } else {
         (square.checked_shl(spare.unsigned_abs()).unwrap_or(0), (exponent - spare) / 2)
     };
-    FixedI32::from_bits(narrow(shift_right(i64::from(sqrt(square)), -shift)))
+    shift_right(i64::from(sqrt(square)), -shift)
 }
 
 impl<F: Fraction> Scalar for FixedI32<F> {
@@ -155,7 +155,13 @@ impl<F: Fraction> Scalar for FixedI32<F> {
 
     #[inline]
     fn scaled(self, factor: Factor) -> Self {
-        Self::from_bits(factor.times(self.to_bits(), 0))
+        Self::from_bits(narrow(factor.times(self.to_bits(), 0)))
+    }
+
+    #[inline]
+    fn stretched(self, factor: Factor) -> Fine {
+        let exponent = (Fine::FRACTION_BITS - F::BITS) as i32;
+        Fine::from_bits(factor.times(self.to_bits(), exponent))
     }
 
     fn quotients(numerators: [Fine; 2], denominator: Fine) -> [Self; 2] {
@@ -164,7 +170,7 @@ impl<F: Fraction> Scalar for FixedI32<F> {
         let exponent = F::BITS as i32 - Fine::FRACTION_BITS as i32;
         numerators.map(|numerator| {
             let numerator = if is_negative { -numerator } else { numerator };
-            Self::from_bits(inverse.times_wide(numerator.to_bits(), exponent))
+            Self::from_bits(narrow(inverse.times_wide(numerator.to_bits(), exponent)))
         })
     }
 
@@ -205,19 +211,21 @@ impl<F: Fraction> Scalar for FixedI32<F> {
             return Chord::Beside;
         };
         let (square, exponent) = normalized(square);
-        let half: Self = root(u64::from(square) * inverse, exponent + one_over_a);
+        let half = root(u64::from(square) * inverse, exponent + one_over_a);
 
         let b = sum_of_products(q.map(Self::to_bits), m);
         let drop = (33 - b.unsigned_abs().leading_zeros() as i32).max(0);
         let product = shift_right(b, drop).saturating_mul((inverse >> 1) as i64);
         // Half of the inverse, and one of the 28 digits twice that b has too many.
         let shift = UNIT_BITS as i32 - (drop + one_over_a + 1);
-        let middle = Self::from_bits(narrow(-shift_right(product, shift)));
-        Chord::Between(middle.minus(half), middle.plus(half))
+        // Only the ends are held inside the range: far outside, both parts may be beyond it.
+        let middle = -shift_right(product, shift);
+        let [enter, exit] = [middle.saturating_sub(half), middle.saturating_add(half)];
+        Chord::Between(Self::from_bits(narrow(enter)), Self::from_bits(narrow(exit)))
     }
 
     fn length(vector: [Self; 3]) -> Self {
-        root(sum_of_squares(vector.map(Self::to_bits)), 0)
+        Self::from_bits(narrow(root(sum_of_squares(vector.map(Self::to_bits)), 0)))
     }
 
     fn with_length(vector: [Self; 3], length: Self) -> [Self; 3] {

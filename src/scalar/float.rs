@@ -49,8 +49,8 @@ fn two_product<S: Split>(a: S, b: S) -> (S, S) {
 #[allow(dead_code)] // on targets with something faster
 fn two_product_soft(a: f32, b: f32) -> (f32, f32) {
     /// 2^60 and 2^−120.
-    const LARGE: f32 = 1.152_921_504_606_847e18;
-    const SMALL: f32 = 7.523_163_845_262_64e-37;
+    const LARGE: f32 = (1u64 << 60) as f32;
+    const SMALL: f32 = 1.0 / (LARGE * LARGE);
     let (product, error) = two_product(a, b);
     if product.abs() >= 1e-30 {
         return (product, error);
@@ -306,6 +306,11 @@ macro_rules! float {
 
             #[inline]
             fn scaled(self, factor: Self) -> Self {
+                self * factor
+            }
+
+            #[inline]
+            fn stretched(self, factor: Self) -> Self {
                 self * factor
             }
 

@@ -92,6 +92,9 @@ pub trait Scalar: Number {
     #[must_use]
     fn scaled(self, factor: Self::Factor) -> Self;
 
+    /// `self · factor`, with more digits and a larger range.
+    fn stretched(self, factor: Self::Factor) -> Self::Fine;
+
     /// `numerators / denominator`; not for a denominator of 0.
     fn quotients(numerators: [Self::Fine; 2], denominator: Self::Fine) -> [Self; 2];
 

@@ -93,8 +93,8 @@ pub(super) fn vector_row<T: Real>([middle, right, down]: [Vec3<T>; 3], y: i32) -
 pub(super) struct ParallelBall<S: Scalar> {
     /// The pixel, seen from the ball's centre, along its row.
     pub(super) along: Affine<S::Fine>,
-    /// The row, seen from the ball's centre: of the middle row, and for half a pixel.
-    across: [S::Fine; 2],
+    /// The middle row, seen from the ball's centre.
+    across: S::Fine,
     pub(super) radius: S::Fine,
     columns: u32,
 }
@@ -102,10 +102,10 @@ pub(super) struct ParallelBall<S: Scalar> {
 impl<S: Scalar> ParallelBall<S> {
     pub(super) fn new(center: Vec3<S::Fine>, radius: S::Fine, rays: &Parallel<S>) -> Self {
         let from_center = rays.center - center;
-        let [pitch, row_pitch] = [rays.right, rays.down].map(|step| step.length_squared().sqrt());
+        let along = from_center.dot_compensated(rays.right);
         Self {
-            along: Affine { middle: from_center.dot_compensated(rays.right) / pitch, step: pitch },
-            across: [from_center.dot_compensated(rays.down) / row_pitch, row_pitch],
+            along: Affine { middle: along, step: rays.pitch },
+            across: from_center.dot_compensated(rays.down),
             radius,
             columns: rays.columns,
         }
@@ -113,7 +113,7 @@ impl<S: Scalar> ParallelBall<S> {
 
     /// The distance of the row from the ball's centre.
     pub(super) fn row_distance(&self, y: i32) -> S::Fine {
-        self.across[0].after_steps(self.across[1], y)
+        self.across.after_steps(self.along.step, y)
     }
 
     pub(super) fn extent(&self, y: i32) -> Extent {
@@ -143,11 +143,10 @@ impl<S: Scalar> PencilBall<S> {
     pub(super) fn new(center: Vec3<S::Fine>, radius: S::Fine, rays: &Pencil<S>) -> Self {
         let plane = &rays.plane;
         let from_middle = center - plane.center;
-        let pitch = plane.right.length_squared().sqrt();
-        let along = |step: Vec3<S::Fine>| from_middle.dot_compensated(step);
-        let center =
-            Vec3::new(along(plane.right) / pitch, along(plane.down) / pitch, along(plane.forward));
-        Self { center, radius, pitch, slope: pitch * rays.convergence, columns: plane.columns }
+        let along = |direction: Vec3<S::Fine>| from_middle.dot_compensated(direction);
+        let center = Vec3::new(along(plane.right), along(plane.down), along(plane.forward));
+        let (pitch, slope) = (plane.pitch, plane.pitch * rays.convergence);
+        Self { center, radius, pitch, slope, columns: plane.columns }
     }
 
     /// d in a row.
@@ -157,7 +156,7 @@ impl<S: Scalar> PencilBall<S> {
     }
 
     /// p − c in a row, p being where the rays have t = 0.
-    pub(super) fn from_center(&self, y: i32) -> [Affine<S::Fine>; 3] {
+    pub(super) fn position(&self, y: i32) -> [Affine<S::Fine>; 3] {
         let Vec3 { x, y: across, z } = self.center;
         let along = Affine { middle: -x, step: self.pitch };
         [along, constant((-across).after_steps(self.pitch, y)), constant(-z)]

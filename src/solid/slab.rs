@@ -210,7 +210,7 @@ impl<S: Scalar> Project<Parallel<S>> for Slab<S> {
     fn view(&self, rays: &Parallel<S>) -> ParallelView<S> {
         ParallelView {
             slab: *self,
-            height: [rays.center, rays.right, rays.down].map(|step| self.normal.dot_fine(step)),
+            height: rays.steps(Vec3::ZERO).map(|step| self.normal.dot_fine(step)),
             speed: self.normal.dot_fine(rays.forward),
             columns: rays.columns,
         }

@@ -178,7 +178,7 @@ impl<S: Scalar> View for PencilView<S> {
     fn row(&self, y: i32) -> Self::Row<'_> {
         let row = PencilRow {
             moment: self.ball.moment(y),
-            from_center: self.ball.from_center(y),
+            from_center: self.ball.position(y),
             direction: self.ball.direction(y),
             radius: self.radius,
         };

@@ -1,8 +1,7 @@
 //! The open cylinder: a wall without caps.
 
-use super::cylinder::{Cylinder, Tube};
-use super::intersect::{Intersect, Meeting};
-use super::slab::Slab;
+use super::cylinder::Cylinder;
+use super::intersect::Intersect;
 use crate::geom::{Ray, Vec3};
 use crate::scalar::Scalar;
 
@@ -12,8 +11,7 @@ use crate::scalar::Scalar;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CylinderWall<S: Scalar> {
-    tube: Tube<S>,
-    caps: Slab<S>,
+    cylinder: Cylinder<S>,
 }
 
 /// Where a ray meets the wall first.
@@ -35,7 +33,7 @@ impl<S: Intersect> CylinderWall<S> {
     /// The wall of a cylinder.
     #[must_use]
     pub const fn of(cylinder: &Cylinder<S>) -> Self {
-        Self { tube: cylinder.tube, caps: cylinder.caps }
+        Self { cylinder: *cylinder }
     }
 
     /// The first point of the wall at t ≥ 0.
@@ -47,15 +45,15 @@ impl<S: Intersect> CylinderWall<S> {
     #[must_use]
     pub fn hit(&self, ray: &Ray<S>) -> Option<WallHit<S>> {
         let line = ray.line();
-        let Meeting::Points(enter, exit) = S::meet_tube(&self.tube, &self.caps.normal, line) else {
-            return None;
-        };
+        let Cylinder { tube, caps } = &self.cylinder;
+        let [enter, exit] = S::meet_wall(&self.cylinder, line);
         [(enter, false), (exit, true)]
             .into_iter()
-            .find(|&(t, _)| t >= ray.start() && S::is_between(&self.caps, line, t))
+            .filter_map(|(t, inner)| Some((t?, inner)))
+            .find(|&(t, _)| t >= ray.start())
             .map(|(t, inner)| {
-                let point = self.tube.onto(&self.caps.normal, line.at(t));
-                let outward = self.tube.normal(&self.caps.normal, point);
+                let point = tube.onto(&caps.normal, line.at(t));
+                let outward = tube.normal(&caps.normal, point);
                 let normal = if inner { -outward } else { outward };
                 WallHit { t: ray.parameter(t), point, normal, inner }
             })

@@ -17,15 +17,15 @@ impl<S: Scalar> Project<Parallel<S>> for Cylinder<S> {
 
     fn view(&self, rays: &Parallel<S>) -> ParallelView<S> {
         let axis = self.caps.normal.fine();
-        let u = rays.center - self.tube.base.fine();
         let m = rays.forward.cross(axis);
-        let moments = [u, rays.right, rays.down].map(|step| step.cross(axis));
+        let steps = rays.steps(self.tube.base.fine());
+        let moments = steps.map(|step| step.cross(axis));
         // An angle too small to divide by hardly moves a ray within the length of a scene.
         let across = m.max_abs().is_divisor().then(|| m.normalized()).flatten();
         let wall = if let Some(n) = across {
             let stretch = S::Fine::ONE / m.dot(n);
             Wall::Across {
-                distance: [u, rays.right, rays.down].map(|step| step.dot_compensated(n)),
+                distance: steps.map(|step| step.dot_compensated(n)),
                 middle: moments.map(|moment| -moment.dot_compensated(n) * stretch),
                 stretch: S::factor(stretch),
             }
@@ -113,9 +113,9 @@ impl<S: Scalar> ConvexRow for ParallelRow<S> {
     fn span(&self, x: i32) -> Option<Span<S>> {
         let within_wall = match &self.wall {
             WallRow::Across { distance, middle, stretch } => {
-                let half = S::leg(self.radius, S::from_fine(distance.at(x)))?.scaled(*stretch);
-                let middle = S::from_fine(middle.at(x));
-                wall_span(middle.minus(half), middle.plus(half))?
+                let half = S::leg(self.radius, S::from_fine(distance.at(x)))?.stretched(*stretch);
+                let middle = middle.at(x);
+                wall_span(S::from_fine(middle - half), S::from_fine(middle + half))?
             }
             WallRow::Along { moments } => {
                 let distance = S::length(moments.map(|part| S::from_fine(part.at(x))));

@@ -19,11 +19,11 @@ impl<S: Scalar> Project<Pencil<S>> for Cylinder<S> {
         let axis = self.caps.normal.fine();
         let plane = &rays.plane;
         let convergence = rays.convergence;
-        let u = plane.center - self.tube.base.fine();
+        let [u, right, down] = plane.steps(self.tube.base.fine());
         let across = frame(axis);
         let flat = |moment: Vec3<S::Fine>| across.map(|side| side.dot(moment));
         let m = plane.forward.cross(axis);
-        let [right, down] = [plane.right, plane.down].map(|step| {
+        let [right, down] = [right, down].map(|step| {
             let moment = step.cross(axis);
             let k = step.dot_compensated(m) + convergence * u.dot_compensated(moment);
             (flat(moment), k)

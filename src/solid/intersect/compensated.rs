@@ -267,12 +267,28 @@ fn meet_ball<S: Float>(center: Vec3<S>, radius: S, line: &Line<S>) -> Option<[S;
     Some([middle - half, middle + half])
 }
 
+/// Where the line crosses the cylinder's wall between the caps.
+fn meet_wall<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> [Option<S>; 2] {
+    let Cylinder { tube, caps } = cylinder;
+    let Meeting::Points(enter, exit) = tube.meet(&caps.normal, line) else { return [None; 2] };
+    let (at_zero, speed) = (caps.normal.dot(line.origin), caps.normal.dot(line.direction));
+    [enter, exit].map(|t| {
+        let height = S::add_product(at_zero, t, speed);
+        (caps.low <= height && height <= caps.high).then_some(t)
+    })
+}
+
 macro_rules! intersect {
     ($($Float:ident),+) => {$(
         impl Intersect for $Float {
+            #[inline(always)]
+            fn cut(cylinder: &Cylinder<Self>, line: &Line<Self>) -> Option<Span<Self>> {
+                cut(cylinder, line)
+            }
+
             #[inline]
-            fn meet_tube(tube: &Tube<Self>, axis: &Direction<Self>, line: &Line<Self>) -> Meeting<Self> {
-                tube.meet(axis, line)
+            fn meet_wall(cylinder: &Cylinder<Self>, line: &Line<Self>) -> [Option<Self>; 2] {
+                meet_wall(cylinder, line)
             }
 
             #[inline]
@@ -284,18 +300,6 @@ macro_rules! intersect {
             fn pass(slab: &Slab<Self>, line: &Line<Self>) -> Passage<Self> {
                 let (at_zero, speed) = (slab.normal.dot(line.origin), slab.normal.dot(line.direction));
                 slab.passage(at_zero, speed)
-            }
-
-            #[inline]
-            fn is_between(slab: &Slab<Self>, line: &Line<Self>, t: Self) -> bool {
-                let (at_zero, speed) = (slab.normal.dot(line.origin), slab.normal.dot(line.direction));
-                let height = Self::add_product(at_zero, t, speed);
-                slab.low <= height && height <= slab.high
-            }
-
-            #[inline(always)]
-            fn cut(cylinder: &Cylinder<Self>, line: &Line<Self>) -> Option<Span<Self>> {
-                cut(cylinder, line)
             }
         }
     )+};

@@ -11,7 +11,7 @@
 //! and with parameters of 32 bits and a half `a t²` is at most 2¹²⁶. An oblique axis has 28 bits
 //! more, and needs 256 bits.
 
-use super::quadratic::{Quadratic, Wide};
+use super::quadratic::{Quadratic, Root, Wide};
 use super::{Intersect, Meeting, Passage};
 use crate::geom::{Direction, Line, Vec3};
 use crate::scalar::{FixedI32, Fraction, whole};
@@ -130,6 +130,7 @@ impl Section {
     }
 }
 
+/// Where the line crosses the wall, each parameter rounded.
 fn meeting<F: Fraction, W: Wide>(quadratic: &Quadratic<W>) -> Meeting<FixedI32<F>> {
     let zero = W::from(0);
     if quadratic.a == zero {
@@ -164,18 +165,32 @@ impl Planes {
         }
     }
 
+    /// Where the line crosses the planes: the low one and the high one, each rounded.
+    fn crossings<F: Fraction>(&self) -> [FixedI32<F>; 2] {
+        self.heights.map(|height| {
+            let t = whole::divide(i128::from(height) << F::BITS, self.speed.into());
+            FixedI32::from_bits(t.clamp(i32::MIN.into(), i32::MAX.into()) as i32)
+        })
+    }
+
     /// The fractions at which the line crosses the planes, in ascending order.
-    fn ascending(&self) -> [i64; 2] {
+    /// Their numerators, and their denominator, which is positive.
+    fn fractions(&self) -> [i128; 3] {
         let [low, high] = self.heights;
-        if self.speed > 0 { [low, high] } else { [high, low] }
+        let [first, last] = if self.speed > 0 { [low, high] } else { [-high, -low] };
+        [first, last, self.speed.abs()].map(i128::from)
+    }
+
+    /// Whether a line along the planes is between them.
+    fn inside<F: Fraction>(&self, slab: &Slab<FixedI32<F>>) -> bool {
+        let [low, high] = self.heights;
+        slab.has(low <= 0, low < 0) && slab.has(0 < high, 0 <= high)
     }
 }
 
 /// Whether the line is inside the quadratic and between the planes for some time.
 fn overlap<W: Wide>(quadratic: &Quadratic<W>, planes: &Planes) -> bool {
-    let [first, last] = planes.ascending();
-    let sign = planes.speed.signum();
-    let [first, last, speed] = [first, last, planes.speed].map(|x| i128::from(x * sign));
+    let [first, last, speed] = planes.fractions();
     if quadratic.is_inside(first, speed) || quadratic.is_inside(last, speed) {
         return true;
     }
@@ -188,15 +203,74 @@ fn overlap<W: Wide>(quadratic: &Quadratic<W>, planes: &Planes) -> bool {
         && a * W::from(last) + b * d > zero
 }
 
+/// Which of the two points of the wall are between the planes, or on one.
+fn between<W: Wide>(quadratic: &Quadratic<W>, planes: &Planes) -> [bool; 2] {
+    if planes.speed == 0 {
+        let [low, high] = planes.heights;
+        return [low <= 0 && 0 <= high; 2];
+    }
+    let [first, last, speed] = planes.fractions();
+    [Root::Enter, Root::Exit].map(|root| {
+        quadratic.is_at_or_above(root, first, speed) && quadratic.is_at_or_below(root, last, speed)
+    })
+}
+
 impl<F: Fraction> Intersect for FixedI32<F> {
-    fn meet_tube(tube: &Tube<Self>, axis: &Direction<Self>, line: &Line<Self>) -> Meeting<Self> {
+    fn cut(cylinder: &Cylinder<Self>, line: &Line<Self>) -> Option<Span<Self>> {
         if !is_in_range(line) {
-            return Meeting::Beside;
+            return None;
         }
-        match Section::new(tube, axis, line) {
-            Section::Round(quadratic) => meeting(&quadratic),
-            Section::Oblique(quadratic) => meeting(&quadratic),
+        let Cylinder { tube, caps } = cylinder;
+        let section = Section::new(tube, &caps.normal, line);
+        let meeting = match &section {
+            Section::Round(quadratic) => meeting(quadratic),
+            Section::Oblique(quadratic) => meeting(quadratic),
+        };
+        let wall = match meeting {
+            Meeting::Points(enter, exit) => {
+                let at = |t| Crossing { t, face: WALL };
+                Span { enter: at(enter), exit: at(exit) }
+            }
+            Meeting::Within => Span::whole_line(WALL),
+            Meeting::Beside | Meeting::Along => return None,
+        };
+        let planes = Planes::new(caps, line);
+        if planes.speed == 0 {
+            // Parallel to the caps, it is between them all along the wall, or nowhere.
+            let [enter, exit] = match &section {
+                Section::Round(quadratic) => quadratic.chord(F::BITS)?,
+                Section::Oblique(quadratic) => quadratic.chord(F::BITS)?,
+            };
+            let [enter, exit] = [enter, exit].map(Self::from_bits);
+            return if planes.inside(caps) { wall_span(enter, exit) } else { None };
         }
+        let passage = Passage::Across { at: planes.crossings(), upwards: planes.speed > 0 };
+        let (enter, exit) = passage.ends()?.common_ends(wall);
+        let is_beyond = exit.t == Self::MIN || enter.t == Self::MAX;
+        if enter.t != exit.t || is_beyond {
+            return Span::new(enter, exit);
+        }
+        // It is in there for so short a time, if at all, that both ends round to the same parameter.
+        let is_inside = match &section {
+            Section::Round(quadratic) => overlap(quadratic, &planes),
+            Section::Oblique(quadratic) => overlap(quadratic, &planes),
+        };
+        let next = exit.t.saturating_add(Self::from_bits(1));
+        is_inside.then_some(Span { enter, exit: Crossing { t: next, ..exit } })
+    }
+
+    fn meet_wall(cylinder: &Cylinder<Self>, line: &Line<Self>) -> [Option<Self>; 2] {
+        if !is_in_range(line) {
+            return [None; 2];
+        }
+        let planes = Planes::new(&cylinder.caps, line);
+        let (meeting, between) = match Section::new(&cylinder.tube, &cylinder.caps.normal, line) {
+            Section::Round(quadratic) => (meeting(&quadratic), between(&quadratic, &planes)),
+            Section::Oblique(quadratic) => (meeting(&quadratic), between(&quadratic, &planes)),
+        };
+        let Meeting::Points(enter, exit) = meeting else { return [None; 2] };
+        let [enters, exits] = between;
+        [enters.then_some(enter), exits.then_some(exit)]
     }
 
     fn meet_ball(center: Vec3<Self>, radius: Self, line: &Line<Self>) -> Option<[Self; 2]> {
@@ -204,7 +278,7 @@ impl<F: Fraction> Intersect for FixedI32<F> {
             return None;
         }
         let quadratic = ball(way(center, line.origin), bits(line.direction), radius);
-        (quadratic.discriminant > 0).then(|| quadratic.roots(F::BITS).map(Self::from_bits))
+        Some(quadratic.chord(F::BITS)?.map(Self::from_bits))
     }
 
     fn pass(slab: &Slab<Self>, line: &Line<Self>) -> Passage<Self> {
@@ -212,64 +286,14 @@ impl<F: Fraction> Intersect for FixedI32<F> {
             return Passage::Along { inside: false };
         }
         let planes = Planes::new(slab, line);
-        let [low, high] = planes.heights;
         if planes.speed == 0 {
-            let inside = slab.has(low <= 0, low < 0) && slab.has(0 < high, 0 <= high);
-            return Passage::Along { inside };
+            return Passage::Along { inside: planes.inside(slab) };
         }
-        let at = |height: i64| {
-            let t = whole::divide(i128::from(height) << F::BITS, planes.speed.into());
-            t.clamp(i32::MIN.into(), i32::MAX.into()) as i32
-        };
-        let (low, high, upwards) = (at(low), at(high), planes.speed > 0);
+        let (upwards, [low, high]) = (planes.speed > 0, planes.crossings());
         let (first, last) = if upwards { (low, high) } else { (high, low) };
         // The planes are apart, however fast the line passes them: but not beyond the grid.
-        let is_beyond = first == i32::MAX || first == i32::MIN;
-        let last = if first == last && !is_beyond { last + 1 } else { last };
-        let at = if upwards { [first, last] } else { [last, first] };
-        Passage::Across { at: at.map(Self::from_bits), upwards }
+        let is_beyond = first == Self::MAX || first == Self::MIN;
+        let last = if first == last && !is_beyond { last + Self::from_bits(1) } else { last };
+        Passage::Across { at: if upwards { [first, last] } else { [last, first] }, upwards }
     }
-
-    fn is_between(slab: &Slab<Self>, line: &Line<Self>, t: Self) -> bool {
-        match Self::pass(slab, line) {
-            Passage::Along { inside } => inside,
-            Passage::Across { at: [low, high], upwards: true } => low <= t && t <= high,
-            Passage::Across { at: [low, high], upwards: false } => high <= t && t <= low,
-        }
-    }
-
-    fn cut(cylinder: &Cylinder<Self>, line: &Line<Self>) -> Option<Span<Self>> {
-        let Cylinder { tube, caps } = cylinder;
-        let wall = match Self::meet_tube(tube, &caps.normal, line) {
-            Meeting::Points(enter, exit) => wall_span(enter, exit)?,
-            Meeting::Within => Span::whole_line(WALL),
-            Meeting::Beside | Meeting::Along => return None,
-        };
-        let between = Self::pass(caps, line).ends()?.checked()?;
-        between.overlap(wall).or_else(|| shortest_span(cylinder, line, between, wall))
-    }
-}
-
-/// The span of a line that is between the caps and within the wall for so short a time that where it
-/// begins and where it ends round to the same parameter.
-#[cold]
-fn shortest_span<F: Fraction>(
-    cylinder: &Cylinder<FixedI32<F>>,
-    line: &Line<FixedI32<F>>,
-    between: Span<FixedI32<F>>,
-    wall: Span<FixedI32<F>>,
-) -> Option<Span<FixedI32<F>>> {
-    let Cylinder { tube, caps } = cylinder;
-    let (enter, exit) = between.common_ends(wall);
-    let planes = Planes::new(caps, line);
-    let is_beyond = exit.t == FixedI32::<F>::MIN || enter.t == FixedI32::<F>::MAX;
-    if enter.t != exit.t || is_beyond || planes.speed == 0 {
-        return None;
-    }
-    let is_inside = match Section::new(tube, &caps.normal, line) {
-        Section::Round(quadratic) => overlap(&quadratic, &planes),
-        Section::Oblique(quadratic) => overlap(&quadratic, &planes),
-    };
-    let next = exit.t.saturating_add(FixedI32::from_bits(1));
-    is_inside.then_some(Span { enter, exit: Crossing { t: next, ..exit } })
 }

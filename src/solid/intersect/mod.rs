@@ -9,17 +9,22 @@ mod compensated;
 mod exact;
 mod quadratic;
 
-use super::cylinder::{Cylinder, Tube};
+use super::cylinder::Cylinder;
 use super::slab::Slab;
-use crate::geom::{Direction, Line, Vec3};
+use crate::geom::{Line, Vec3};
 use crate::scalar::Scalar;
 use crate::span::Span;
 
 /// A number type that lines can be intersected in: every [`Scalar`].
 pub trait Intersect: Scalar {
-    /// Where a line meets the wall of a tube with this axis.
+    /// The part of a line inside a cylinder.
     #[doc(hidden)]
-    fn meet_tube(tube: &Tube<Self>, axis: &Direction<Self>, line: &Line<Self>) -> Meeting<Self>;
+    fn cut(cylinder: &Cylinder<Self>, line: &Line<Self>) -> Option<Span<Self>>;
+
+    /// Where a line enters a cylinder's wall, and where it exits, as far as these points are
+    /// between the caps or on a rim. A tangent has both, at the same parameter.
+    #[doc(hidden)]
+    fn meet_wall(cylinder: &Cylinder<Self>, line: &Line<Self>) -> [Option<Self>; 2];
 
     /// Where a line enters a ball, and where it exits; `None` also for a tangent.
     #[doc(hidden)]
@@ -28,20 +33,11 @@ pub trait Intersect: Scalar {
     /// Where a line passes the planes of a slab.
     #[doc(hidden)]
     fn pass(slab: &Slab<Self>, line: &Line<Self>) -> Passage<Self>;
-
-    /// Whether a line is between the planes of a slab, or on one, at a parameter.
-    #[doc(hidden)]
-    fn is_between(slab: &Slab<Self>, line: &Line<Self>, t: Self) -> bool;
-
-    /// The part of a line inside a cylinder.
-    #[doc(hidden)]
-    fn cut(cylinder: &Cylinder<Self>, line: &Line<Self>) -> Option<Span<Self>>;
 }
 
 /// Where a line meets the wall of a tube.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Meeting<S> {
+enum Meeting<S> {
     /// Nowhere: the line passes it by.
     Beside,
     /// At two parameters in ascending order, which are the same for a tangent.

@@ -105,7 +105,7 @@ pub(super) struct Quadratic<W> {
 
 /// Which root: the one where the line enters, or the one where it exits.
 #[derive(Clone, Copy, PartialEq)]
-enum Root {
+pub(super) enum Root {
     Enter,
     Exit,
 }
@@ -115,7 +115,7 @@ const GUARD: u32 = 16;
 
 impl<W: Wide> Quadratic<W> {
     /// Whether the quadratic's root is above the fraction, or at it.
-    fn is_at_or_above(&self, root: Root, numerator: i128, denominator: i128) -> bool {
+    pub(super) fn is_at_or_above(&self, root: Root, numerator: i128, denominator: i128) -> bool {
         let (n, d) = (W::from(numerator), W::from(denominator));
         let zero = W::from(0);
         let ascent = self.a * n + self.b * d;
@@ -126,14 +126,25 @@ impl<W: Wide> Quadratic<W> {
         }
     }
 
+    /// Whether the quadratic's root is below the fraction, or at it.
+    pub(super) fn is_at_or_below(&self, root: Root, numerator: i128, denominator: i128) -> bool {
+        let (n, d) = (W::from(numerator), W::from(denominator));
+        let zero = W::from(0);
+        let ascent = self.a * n + self.b * d;
+        let value = n * (ascent + self.b * d) + self.c * d * d;
+        match root {
+            Root::Enter => value <= zero || ascent >= zero,
+            Root::Exit => value >= zero && ascent >= zero,
+        }
+    }
+
     /// Whether the value at a fraction is below zero: the line is inside there.
     pub(super) fn is_inside(&self, numerator: i128, denominator: i128) -> bool {
         let (n, d) = (W::from(numerator), W::from(denominator));
         n * (self.a * n + self.b * d + self.b * d) + self.c * d * d < W::from(0)
     }
 
-    /// Both roots on the grid of `fraction` bits, rounded to nearest, halves upwards; two different
-    /// numbers for a discriminant above zero, unless both are beyond the same end of the grid.
+    /// Both roots on the grid of `fraction` bits, each rounded to nearest, halves upwards.
     pub(super) fn roots(&self, fraction: u32) -> [i32; 2] {
         // As in floating point: s/a and c/s with s = |b| + √D, where nothing cancels.
         let zero = W::from(0);
@@ -150,18 +161,22 @@ impl<W: Wide> Quadratic<W> {
             [near, far]
         };
 
-        let enter = self.nearest(Root::Enter, enter, fraction);
-        let exit = self.nearest(Root::Exit, exit, fraction);
-        let is_beyond = exit == i32::MIN || enter == i32::MAX;
-        if enter < exit || self.discriminant <= zero || is_beyond {
-            return [enter, exit];
+        [self.nearest(Root::Enter, enter, fraction), self.nearest(Root::Exit, exit, fraction)]
+    }
+
+    /// The roots, if there are two: different numbers also where both round to the same, unless
+    /// that is an end of the grid.
+    pub(super) fn chord(&self, fraction: u32) -> Option<[i32; 2]> {
+        if self.discriminant <= W::from(0) {
+            return None;
+        }
+        let [enter, exit] = self.roots(fraction);
+        if enter < exit || exit == i32::MIN || enter == i32::MAX {
+            return Some([enter, exit]);
         }
         // The span is shorter than the grid's step: it grows on the side that is nearer.
-        if self.is_at_or_above(Root::Exit, enter.into(), 1 << fraction) {
-            [enter, enter + 1]
-        } else {
-            [enter - 1, enter]
-        }
+        let is_nearer_above = self.is_at_or_above(Root::Exit, enter.into(), 1 << fraction);
+        Some(if is_nearer_above { [enter, enter + 1] } else { [enter - 1, enter] })
     }
 
     /// The number of the grid nearest to a root that is known with [`GUARD`] more digits and a
@@ -220,7 +235,8 @@ mod tests {
         }
         let quadratic = Quadratic { a, b, c, discriminant };
         let exact = [Root::Enter, Root::Exit].map(|root| bisected(&quadratic, root, 16));
-        let got = quadratic.roots(16);
+        let got = quadratic.chord(16).unwrap_or_default();
+        prop_assert_eq!(quadratic.roots(16), exact);
         if exact[0] < exact[1] || exact[1] == i32::MIN || exact[0] == i32::MAX {
             prop_assert_eq!(got, exact);
         } else {
