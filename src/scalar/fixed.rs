@@ -117,6 +117,7 @@ impl<F: Fraction> Scalar for FixedI32<F> {
     const FINEST: Self = Self::from_bits(1);
     const SHORTEST: Self = Self::from_bits(1 << (F::BITS - 1));
     const LONGEST: Self = Self::from_bits(1 << 30);
+    const BLUR: Self = Self::from_bits(2);
 
     #[inline]
     fn fine(self) -> Fine {

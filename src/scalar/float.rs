@@ -268,6 +268,7 @@ macro_rules! float {
             const FINEST: Self = $finest;
             const SHORTEST: Self = 0.0;
             const LONGEST: Self = $Float::MAX;
+            const BLUR: Self = 0.0;
 
             #[inline]
             fn fine(self) -> Self {

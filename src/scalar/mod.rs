@@ -66,6 +66,10 @@ pub trait Scalar: Number {
     /// The largest coordinate of a ray's direction may be this: 2³⁰ units in fixed point.
     const LONGEST: Self;
 
+    /// How far off a length in a pixel may be because it is rounded to this type: 0 in floating
+    /// point, whose errors are relative, 2 units in fixed point.
+    const BLUR: Self;
+
     /// The same number with more digits; exact.
     fn fine(self) -> Self::Fine;
 

@@ -118,7 +118,7 @@ impl<S: Scalar> ParallelBall<S> {
 
     pub(super) fn extent(&self, y: i32) -> Extent {
         let across = constant(self.row_distance(y));
-        extent(&[constant(self.radius)], &[across, self.along], self.columns)
+        extent(&[constant(self.radius + S::BLUR.fine())], &[across, self.along], self.columns)
     }
 }
 
@@ -178,7 +178,7 @@ impl<S: Scalar> PencilBall<S> {
     }
 
     pub(super) fn extent(&self, y: i32) -> Extent {
-        let reach = self.direction(y).map(|part| part.times(self.radius));
+        let reach = self.direction(y).map(|part| part.times(self.radius + S::BLUR.fine()));
         extent(&reach, &self.moment(y), self.columns)
     }
 }

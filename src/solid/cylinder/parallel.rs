@@ -71,7 +71,7 @@ impl<S: Scalar> View for ParallelView<S> {
     type Row<'a> = Leaf<ParallelRow<S>>;
 
     fn row(&self, y: i32) -> Self::Row<'_> {
-        let radius = [constant(self.radius.fine())];
+        let radius = [constant(self.radius.plus(S::BLUR).fine())];
         let (wall, silhouette) = match self.wall {
             Wall::Across { distance, middle, stretch } => {
                 let distance = Affine::row(distance, y);

@@ -8,7 +8,7 @@ use super::{Cylinder, WALL, wall_span};
 use crate::geom::{Affine, Pencil, Vec3};
 use crate::scalar::{Chord, Number, Real, Scalar};
 use crate::solid::row::{ConvexRow, Leaf, Project, View};
-use crate::solid::silhouette::{PencilBall, extent};
+use crate::solid::silhouette::{PencilBall, constant, extent};
 use crate::solid::slab;
 use crate::span::Span;
 
@@ -37,6 +37,7 @@ impl<S: Scalar> Project<Pencil<S>> for Cylinder<S> {
             reach: [u.dot_compensated(m), right.1, down.1],
             convergence,
             radius: self.tube.radius,
+            blur: ((radius + S::BLUR.fine()) * S::BLUR.fine()).sqrt(),
             eye_within: at_eye.length_squared() < radius * radius,
             caps: self.caps.view(rays),
             ball: PencilBall::new(center, ball_radius, rays),
@@ -70,6 +71,8 @@ pub struct PencilView<S: Scalar> {
     reach: [S::Fine; 3],
     convergence: S::Fine,
     radius: S,
+    /// √((r + b)b), where b is [`Scalar::BLUR`].
+    blur: S::Fine,
     /// Whether the eye lies inside the infinite cylinder, and with it any ray along the axis.
     eye_within: bool,
     caps: slab::PencilView<S>,
@@ -95,8 +98,10 @@ impl<S: Scalar> View for PencilView<S> {
         };
         let ((q0, m0), (q1, m1)) = (axis(q0, m0, right0, down0), axis(q1, m1, right1, down1));
         let reach = Affine::row(self.reach, y);
-        let radius = self.radius.fine();
-        let silhouette = extent(&[m0.times(radius), m1.times(radius)], &[reach], self.columns);
+        // r|m| ≥ |k| with k off by `BLUR`, however small m is: (r + b)²m² + (r + b)b ≥ (r|m| + b)².
+        let radius = self.radius.plus(S::BLUR).fine();
+        let wide = [m0.times(radius), m1.times(radius), constant(self.blur)];
+        let silhouette = extent(&wide, &[reach], self.columns);
         Leaf {
             row: PencilRow {
                 moment: [q0, q1],
