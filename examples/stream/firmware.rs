@@ -19,7 +19,7 @@ const HEIGHT: u16 = 120;
 const SPANS: usize = Tee::<Number>::STACK;
 const PACKET: usize = packet_capacity(WIDTH, PixelFormat::Gray8);
 /// How often a frame is sent to somebody who doesn't answer.
-const FRAMES: u16 = 8;
+const FRAMES: u16 = 4;
 
 #[cfg(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16"))))]
 type Number = f32;
@@ -30,8 +30,8 @@ static TEE: Tee<Number> = Number::TEE;
 
 impl Line for Uart {
     fn listen(&mut self) -> Result<Option<u8>, Infallible> {
-        // Some ten instructions a look: a second or so on these boards.
-        Ok((0..2_000_000).find_map(|_| self.receive()))
+        // Some ten to thirty instructions a look: about a second on these boards.
+        Ok((0..500_000).find_map(|_| self.receive()))
     }
 }
 

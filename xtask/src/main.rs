@@ -4,6 +4,7 @@ mod board;
 mod boot;
 mod counts;
 mod elf;
+mod faults;
 #[path = "../../examples/host/mod.rs"]
 mod host;
 mod report;
@@ -29,6 +30,16 @@ enum Chore {
     /// Build the firmware of every board, boot it, receive its picture through its serial port, and
     /// compare it with the host's
     Boards(Boards),
+
+    /// Do to a board's firmware what goes wrong on serial lines: garbage, a reset, nobody there
+    Faults {
+        /// The board
+        #[arg(long, default_value = "microbit")]
+        board: Board,
+        /// The number type
+        #[arg(long, default_value = "i16f16")]
+        number: Number,
+    },
 
     /// Boot one firmware, show the picture that it sends, and save it
     Boot {
@@ -64,6 +75,7 @@ struct Boards {
 fn main() -> ExitCode {
     let result = match Args::parse().chore {
         Chore::Boards(chosen) => boards(&chosen),
+        Chore::Faults { board, number } => faults::check(board, number),
         Chore::Boot { board, elf, png } => boot::show(board, &elf, &png),
     };
     match result {

@@ -101,6 +101,35 @@ pub fn write(rows: &[Row]) -> Result<(), String> {
         });
         text.push('\n');
     }
-    let path = root().join("docs/boards.md");
-    fs::write(&path, text).map_err(|error| format!("{}: {error}", path.display()))
+    save("docs/boards.md", &text)?;
+    let readme = fs::read_to_string(root().join("README.md")).map_err(|error| error.to_string())?;
+    save("README.md", &with_table(&readme, &table(rows))?)
+}
+
+fn save(name: &str, text: &str) -> Result<(), String> {
+    fs::write(root().join(name), text).map_err(|error| format!("{name}: {error}"))
+}
+
+/// The text with the table between its two marks.
+fn with_table(text: &str, table: &str) -> Result<String, String> {
+    const MARKS: [&str; 2] = ["<!-- boards -->\n", "<!-- end of boards -->\n"];
+    let [start, end] = MARKS.map(|mark| text.split_once(mark));
+    match (start, end) {
+        (Some((before, _)), Some((_, after))) => {
+            let [start, end] = MARKS;
+            Ok(format!("{before}{start}{table}{end}{after}"))
+        }
+        _ => Err("README.md has no marks around the table of the boards".into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn the_table_is_replaced_between_its_marks() {
+        let old = "a\n<!-- boards -->\n| old |\n<!-- end of boards -->\nb\n";
+        let new = "a\n<!-- boards -->\n| new |\n<!-- end of boards -->\nb\n";
+        assert_eq!(super::with_table(old, "| new |\n").as_deref(), Ok(new));
+        assert!(super::with_table("no marks", "").is_err());
+    }
 }

@@ -1,0 +1,125 @@
+//! What goes wrong on a serial line, done to a firmware on purpose.
+
+use crate::board::Board;
+use crate::boot::Machine;
+use crate::host::receive::{Ending, Session};
+use crate::toolchain;
+use std::io::{self, Read, Write};
+use std::os::unix::net::UnixStream;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+type Fault = fn(Board, &Path) -> Result<(), String>;
+
+/// Does everything to one board's firmware.
+pub fn check(board: Board, number: crate::board::Number) -> Result<(), String> {
+    let elf = toolchain::find(board.target())?.build(board, number, "stream")?;
+    let faults: [(&str, Fault); 3] = [
+        ("garbage before every answer", garbage),
+        ("reset in the middle of a frame", reset),
+        ("nobody reads", deaf),
+    ];
+    for (what, fault) in faults {
+        fault(board, &elf).map_err(|problem| format!("{board}, {what}: {problem}"))?;
+        println!("{board}, {what}: as it should be");
+    }
+    Ok(())
+}
+
+/// The firmware must pass over what isn't a packet, and find the acknowledgement behind it.
+fn garbage(board: Board, elf: &Path) -> Result<(), String> {
+    let (machine, line) = Machine::start(board, elf)?;
+    let mut session = Session::new(Box::new(Noisy(line)));
+    let frame = session.frame(Duration::from_secs(60), |_, _| {})?.ok_or("no frame came")?;
+    let (said, is_good) = machine.finish(Duration::from_secs(30));
+    match frame.problem(0) {
+        None if is_good => Ok(()),
+        None => Err(format!("the acknowledgement was not understood: {said}")),
+        Some(problem) => Err(problem),
+    }
+}
+
+/// A line on which every packet to the board comes behind bytes that mean nothing.
+struct Noisy(UnixStream);
+
+impl Read for Noisy {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        self.0.read(buffer)
+    }
+}
+
+impl Write for Noisy {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let noise: Vec<u8> =
+            (0..600u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 24) as u8).collect();
+        self.0.write_all(&noise)?;
+        // The end of a packet, so that the next one begins afresh.
+        self.0.write_all(&[0])?;
+        self.0.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush()
+    }
+}
+
+/// The receiver must get the frame whole that is sent after the reset.
+fn reset(board: Board, elf: &Path) -> Result<(), String> {
+    let (machine, line) = Machine::start(board, elf)?;
+    let port = Resetting { board, elf: elf.to_owned(), line, machine: Some(machine), left: 3000 };
+    let mut session = Session::new(Box::new(port));
+    let frame = session.frame(Duration::from_secs(60), |_, _| {})?.ok_or("no frame came")?;
+    match frame.ending {
+        Ending::Complete => Ok(()),
+        _ => Err(frame.problem(0).unwrap_or_default()),
+    }
+}
+
+/// A line to a board that is switched off and on again after so many bytes.
+struct Resetting {
+    board: Board,
+    elf: PathBuf,
+    line: UnixStream,
+    machine: Option<Machine>,
+    left: usize,
+}
+
+impl Read for Resetting {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        if self.left > 0 {
+            let most = buffer.len().min(self.left);
+            let count = self.line.read(buffer.get_mut(..most).unwrap_or_default())?;
+            self.left -= count;
+            if self.left == 0 {
+                self.machine = None;
+                let (machine, line) =
+                    Machine::start(self.board, &self.elf).map_err(io::Error::other)?;
+                (self.machine, self.line) = (Some(machine), line);
+            }
+            return Ok(count);
+        }
+        self.line.read(buffer)
+    }
+}
+
+impl Write for Resetting {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.line.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.line.flush()
+    }
+}
+
+/// The firmware must give up by itself, and say so.
+fn deaf(board: Board, elf: &Path) -> Result<(), String> {
+    let (machine, line) = Machine::start(board, elf)?;
+    let (said, is_good) = machine.finish(Duration::from_secs(200));
+    drop(line);
+    match (is_good, said.contains("stack ")) {
+        (false, true) => Ok(()),
+        (true, _) => Err("the firmware thinks that it was heard".into()),
+        (false, false) => Err(format!("the firmware hangs, or broke off: {said}")),
+    }
+}
