@@ -63,6 +63,7 @@ pub mod render;
 pub mod scalar;
 pub mod solid;
 pub mod span;
+pub mod spline;
 pub mod stream;
 
 pub(crate) use error::error_text;

@@ -1,0 +1,178 @@
+//! Splines in fixed point: whole numbers with guard bits, rounded once.
+
+use super::blend::Blend;
+use crate::scalar::whole::{divide, narrow, shift_right};
+use crate::scalar::{FixedI32, Fraction};
+
+/// Digits of an inner number beyond those of its type. With 32 of the type's own, four bits are
+/// left for extrapolation and derivatives.
+const GUARD: u32 = 28;
+
+/// Digits of a ratio's fraction.
+const RATIO: u32 = 62;
+
+/// `whole + fraction/2⁶²`. Between the knots the whole part is 0, at the upper one 1.
+#[doc(hidden)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mixed {
+    whole: i64,
+    fraction: i64,
+}
+
+impl Mixed {
+    /// `numerator / denominator`, cut off, for |numerator| ≤ 2³² and 0 < denominator < 2³².
+    #[inline]
+    fn new(numerator: i64, denominator: i64) -> Self {
+        let Some(whole) = numerator.checked_div_euclid(denominator) else {
+            return Self { whole: 0, fraction: 0 };
+        };
+        let rest = (numerator - whole * denominator).unsigned_abs();
+        // Two long divisions of 31 digits each.
+        let divisor = denominator.unsigned_abs();
+        let long = |rest: u64| {
+            let digits = (rest << 31).checked_div(divisor).unwrap_or(0);
+            (digits, (rest << 31) - digits * divisor)
+        };
+        let (high, rest) = long(rest);
+        let (low, _) = long(rest);
+        Self { whole, fraction: (high << 31 | low) as i64 }
+    }
+
+    /// `x·self`.
+    #[inline]
+    fn of(self, x: i64) -> i64 {
+        let part = (i128::from(x) * i128::from(self.fraction)) >> RATIO;
+        match self.whole {
+            0 => part as i64,
+            whole => x.saturating_mul(whole).saturating_add(part as i64),
+        }
+    }
+}
+
+/// The local parameter of a baked span is `((t − start)·2^shift − half)/2³²`.
+#[doc(hidden)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FixedFrame {
+    pub(super) half: u32,
+    pub(super) shift: u8,
+    /// Digits of the coefficients beyond those of the type.
+    pub(super) guard: u8,
+}
+
+#[inline]
+fn width<F: Fraction>(low: FixedI32<F>, high: FixedI32<F>) -> i64 {
+    i64::from(high.to_bits()) - i64::from(low.to_bits())
+}
+
+#[inline]
+fn held(x: i128) -> i64 {
+    x.clamp(i64::MIN.into(), i64::MAX.into()) as i64
+}
+
+impl<F: Fraction> Blend for FixedI32<F> {
+    type Inner = i64;
+    type Ratio = Mixed;
+    type Frame = FixedFrame;
+    type Local = i32;
+    type Coefficient = i32;
+    /// The whole units of the value in the middle of the span.
+    type Base = i32;
+
+    const LARGEST: Self = Self::MAX;
+    const NOTHING: i64 = 0;
+    const EXTENDS: bool = false;
+
+    #[inline]
+    fn inner(self) -> i64 {
+        i64::from(self.to_bits()) << GUARD
+    }
+
+    #[inline]
+    fn outer(inner: i64) -> Self {
+        Self::from_bits(narrow(shift_right(inner, GUARD as i32)))
+    }
+
+    #[inline]
+    fn add(a: i64, b: i64) -> i64 {
+        a.saturating_add(b)
+    }
+
+    #[inline]
+    fn subtract(a: i64, b: i64) -> i64 {
+        a.saturating_sub(b)
+    }
+
+    fn ratio(t: Self, low: Self, high: Self) -> Mixed {
+        Mixed::new(width(low, t), width(low, high))
+    }
+
+    #[inline]
+    fn blend(a: i64, b: i64, ratio: Mixed) -> i64 {
+        a.saturating_add(ratio.of(b.saturating_sub(a)))
+    }
+
+    fn rise(x: i64, t: Self, low: Self, high: Self) -> i64 {
+        Mixed::new(width(low, t), width(low, high)).of(x)
+    }
+
+    fn fall(x: i64, t: Self, low: Self, high: Self) -> i64 {
+        Mixed::new(width(t, high), width(low, high)).of(x)
+    }
+
+    fn slope(x: i64, degree: u16, low: Self, high: Self) -> i64 {
+        let width = width(low, high);
+        if width == 0 {
+            return 0;
+        }
+        held(divide((i128::from(x) * i128::from(degree)) << F::BITS, i128::from(width)))
+    }
+
+    fn share(x: i64, [low, high]: [Self; 2], [outer_low, outer_high]: [Self; 2]) -> i64 {
+        Mixed::new(width(low, high), width(outer_low, outer_high)).of(x)
+    }
+
+    fn wrap(t: Self, from: Self, to: Self) -> Self {
+        let rest = width(from, t).checked_rem_euclid(width(from, to)).unwrap_or(0);
+        Self::from_bits(narrow(i64::from(from.to_bits()) + rest))
+    }
+
+    fn between(from: Self, to: Self, index: u32, count: u32) -> Self {
+        let part =
+            divide(i128::from(width(from, to)) * i128::from(index), i128::from(count.max(1)));
+        Self::from_bits(narrow(i64::from(from.to_bits()) + part as i64))
+    }
+
+    fn norm(coordinates: &[i64]) -> i64 {
+        let sum = coordinates.iter().fold(0u128, |sum, x| {
+            let x = u128::from(x.unsigned_abs());
+            sum.saturating_add(x * x)
+        });
+        i64::try_from(sum.isqrt()).unwrap_or(i64::MAX)
+    }
+
+    fn segments(norm: i64, factor: u16, tolerance: Self) -> u32 {
+        let numerator = u128::from(norm.unsigned_abs()) * u128::from(factor);
+        let denominator = u128::from(tolerance.to_bits().unsigned_abs()) << (3 + GUARD);
+        let Some(square) = numerator.checked_div(denominator) else { return 1 };
+        // ⌈√x⌉ ≤ ⌊√⌊x⌋⌋ + 1.
+        u32::try_from(square.isqrt() + 1).unwrap_or(u32::MAX)
+    }
+
+    #[inline]
+    fn local(t: Self, start: Self, frame: &FixedFrame) -> i32 {
+        let offset = t.to_bits().wrapping_sub(start.to_bits()).cast_unsigned();
+        offset.wrapping_shl(frame.shift.into()).wrapping_sub(frame.half).cast_signed()
+    }
+
+    #[inline]
+    fn horner(sum: i32, local: i32, c: i32) -> i32 {
+        // The upper word of the product, cut off: half a unit is in the coefficient.
+        c.wrapping_add(((i64::from(sum) * i64::from(local)) >> 32) as i32)
+    }
+
+    #[inline]
+    fn baked(sum: i32, base: i32, frame: &FixedFrame) -> Self {
+        // Half a unit is in the sum.
+        Self::from_bits(base.saturating_add(sum >> (frame.guard & 31)))
+    }
+}

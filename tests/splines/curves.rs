@@ -1,0 +1,151 @@
+//! Curves against exact fractions: hard knots, big offsets, every order.
+
+use super::exact::{self, Ratio};
+use super::number::{Numeric, error};
+use proptest::prelude::*;
+use proptest::test_runner::{Config, TestRunner};
+use scancsg::scalar::I16F16;
+use scancsg::spline::Outside;
+use std::cell::Cell;
+
+pub const POINTS: usize = 9;
+pub const KNOTS: usize = POINTS + 6;
+
+/// Knots, control points and a parameter in the domain, as multiples of 2⁻¹⁶.
+#[derive(Debug, Clone)]
+pub struct Case {
+    pub knots: Vec<f64>,
+    pub points: Vec<[f64; 2]>,
+    /// From 0 to 1.
+    pub part: f64,
+}
+
+/// Steps from knot to knot: repeated, nearly coincident, or ordinary.
+fn step() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        2 => Just(0.0),
+        1 => (1..4i32).prop_map(|units| f64::from(units) / 65536.0),
+        4 => (1..40i32).prop_map(|quarters| f64::from(quarters) / 4.0),
+        3 => (1..500_000i32).prop_map(|units| f64::from(units) / 65536.0),
+    ]
+}
+
+fn part() -> impl Strategy<Value = f64> {
+    prop_oneof![1 => Just(0.0), 1 => Just(1.0), 8 => 0.0..1.0]
+}
+
+pub fn case(order: usize, offset: f64, size: f64) -> impl Strategy<Value = Case> {
+    let coordinate = move || (-1.0..1.0).prop_map(move |x: f64| offset + size * x);
+    let count = order..=POINTS;
+    let points = prop::collection::vec([coordinate(), coordinate()], count);
+    let steps = prop::collection::vec(step(), KNOTS);
+    (points, steps, -20..20i32, any::<bool>(), part()).prop_map(
+        move |(points, steps, start, clamped, part)| {
+            let count = points.len() + order;
+            let mut knots: Vec<f64> = vec![f64::from(start)];
+            for (i, step) in steps.iter().enumerate().take(count - 1).map(|(i, s)| (i + 1, s)) {
+                let last = knots[i - 1];
+                let at_end = clamped && (i < order || i > points.len());
+                let mut next = if at_end { last } else { last + step };
+                // Not more often than the order; no end of the domain meets the other one.
+                let same = knots.iter().filter(|&&knot| knot == next).count();
+                if same >= order || i == points.len() && next == last {
+                    next = last + 0.75;
+                }
+                knots.push(next);
+            }
+            Case { knots, points, part }
+        },
+    )
+}
+
+/// The case's exact numbers, as rounded to the type.
+pub struct Rounded<S> {
+    pub knots: Vec<S>,
+    pub points: Vec<[S; 2]>,
+    pub t: S,
+}
+
+impl Case {
+    pub fn rounded<S: Numeric>(&self, order: usize) -> Rounded<S> {
+        let knots: Vec<S> = self.knots.iter().map(|&x| S::of(x)).collect();
+        let (from, to) = (self.knots[order - 1], self.knots[self.points.len()]);
+        let t = S::of(from + (to - from) * self.part).min(S::of(to)).max(S::of(from));
+        let points = self.points.iter().map(|point| point.map(S::of)).collect();
+        Rounded { knots, points, t }
+    }
+}
+
+pub fn ratios<S: Numeric>(numbers: &[S]) -> Vec<Ratio> {
+    numbers.iter().map(|x| x.ratio()).collect()
+}
+
+/// One coordinate of control points.
+pub fn lane<S: Numeric>(points: &[[S; 2]], i: usize) -> Vec<Ratio> {
+    points.iter().map(|point| point[i].ratio()).collect()
+}
+
+pub fn largest<S: Numeric>(points: &[[S; 2]]) -> f64 {
+    points.iter().flatten().fold(0.0, |most: f64, x| most.max(x.ratio().abs().to_f64()))
+}
+
+/// How many cases a test runs; more where `SCANCSG_CASES` says so.
+pub fn config() -> Config {
+    let cases = std::env::var("SCANCSG_CASES").ok().and_then(|text| text.parse().ok());
+    Config { failure_persistence: None, cases: cases.unwrap_or(150), ..Config::default() }
+}
+
+/// The largest error over random curves, in units of the largest control coordinate.
+fn worst<S: Numeric, const K: usize>(offset: f64, size: f64, limit: f64) {
+    let most = Cell::new(0f64);
+    TestRunner::new(config())
+        .run(&case(K, offset, size), |case| {
+            let Rounded { knots, points, t } = case.rounded::<S>(K);
+            let Ok(sequence) = S::knots::<K, KNOTS>(&knots) else {
+                return Err(TestCaseError::reject("coincident"));
+            };
+            let Ok(curve) = S::curve::<K, POINTS, KNOTS>(sequence, &points) else {
+                return Err(TestCaseError::reject("empty"));
+            };
+            let got = curve.value(t, Outside::Error).unwrap();
+            let knots = ratios(&knots);
+            for (i, got) in got.into_iter().enumerate() {
+                let exact = exact::curve(&knots, K, &lane(&points, i), &t.ratio(), 0);
+                let error = error(got, &exact, largest(&points));
+                most.set(most.get().max(error));
+                prop_assert!(error <= limit, "{error} units: {got:?} for {:?}", exact.to_f64());
+            }
+            Ok(())
+        })
+        .unwrap();
+    let name = std::any::type_name::<S>().split('<').next().unwrap();
+    println!("{name} order {K}, {offset} ± {size}: {:.2} units", most.get());
+}
+
+#[test]
+fn editable_quadratics_and_cubics() {
+    for (offset, size) in [(0.0, 1.0), (0.0, 1e6), (1e6, 1.0), (1000.0, 300.0)] {
+        worst::<f32, 3>(offset, size, 1.5);
+        worst::<f32, 4>(offset, size, 1.5);
+        worst::<f64, 4>(offset, size, 1.5);
+    }
+}
+
+#[test]
+fn editable_curves_of_other_orders() {
+    worst::<f32, 1>(0.0, 10.0, 0.0);
+    worst::<f32, 2>(0.0, 10.0, 1.5);
+    worst::<f32, 5>(0.0, 10.0, 2.5);
+    worst::<f32, 6>(0.0, 10.0, 2.5);
+}
+
+#[test]
+fn editable_curves_in_fixed_point() {
+    for (offset, size) in [(0.0, 1.0), (0.0, 32_767.0), (32_000.0, 700.0)] {
+        worst::<I16F16, 1>(offset, size, 0.0);
+        worst::<I16F16, 2>(offset, size, 0.51);
+        worst::<I16F16, 3>(offset, size, 0.51);
+        worst::<I16F16, 4>(offset, size, 0.51);
+        worst::<I16F16, 6>(offset, size, 0.51);
+    }
+}

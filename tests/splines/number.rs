@@ -1,0 +1,92 @@
+//! What the tests need to know of a number type.
+
+use super::exact::Ratio;
+use scancsg::scalar::I16F16;
+use scancsg::spline::{Blend, Curve, CurveError, KnotError, Knots};
+
+pub trait Numeric: Blend {
+    /// The nearest number.
+    fn of(x: f64) -> Self;
+    /// Exactly.
+    fn ratio(self) -> Ratio;
+    /// The distance to the next number, for numbers of this size.
+    fn ulp(size: f64) -> f64;
+    fn knots<const K: usize, const N: usize>(knots: &[Self])
+    -> Result<Knots<Self, K, N>, KnotError>;
+    fn curve<const K: usize, const C: usize, const N: usize>(
+        knots: Knots<Self, K, N>,
+        points: &[[Self; 2]],
+    ) -> Result<Curve<[Self; 2], K, C, N>, CurveError>;
+}
+
+macro_rules! constructors {
+    () => {
+        fn knots<const K: usize, const N: usize>(
+            knots: &[Self],
+        ) -> Result<Knots<Self, K, N>, KnotError> {
+            Knots::<Self, K, N>::new(knots)
+        }
+
+        fn curve<const K: usize, const C: usize, const N: usize>(
+            knots: Knots<Self, K, N>,
+            points: &[[Self; 2]],
+        ) -> Result<Curve<[Self; 2], K, C, N>, CurveError> {
+            Curve::<[Self; 2], K, C, N>::from_slice(knots, points)
+        }
+    };
+}
+
+impl Numeric for f32 {
+    fn of(x: f64) -> Self {
+        x as f32
+    }
+
+    fn ratio(self) -> Ratio {
+        Ratio::of(f64::from(self))
+    }
+
+    fn ulp(size: f64) -> f64 {
+        let size = (size.abs() as f32).max(f32::MIN_POSITIVE);
+        // Of the binade that the size is in.
+        f64::from(size).log2().floor().exp2() * f64::from(f32::EPSILON)
+    }
+
+    constructors!();
+}
+
+impl Numeric for f64 {
+    fn of(x: f64) -> Self {
+        x
+    }
+
+    fn ratio(self) -> Ratio {
+        Ratio::of(self)
+    }
+
+    fn ulp(size: f64) -> f64 {
+        size.abs().max(f64::MIN_POSITIVE).log2().floor().exp2() * f64::EPSILON
+    }
+
+    constructors!();
+}
+
+impl Numeric for I16F16 {
+    fn of(x: f64) -> Self {
+        Self::from_bits((x * 65536.0).round_ties_even() as i32)
+    }
+
+    fn ratio(self) -> Ratio {
+        Ratio::new(i64::from(self.to_bits()), 1 << 16)
+    }
+
+    fn ulp(_: f64) -> f64 {
+        1.0 / 65536.0
+    }
+
+    constructors!();
+}
+
+/// How many units a number is off.
+pub fn error<S: Numeric>(got: S, exact: &Ratio, size: f64) -> f64 {
+    (&got.ratio() - exact).abs().to_f64() / S::ulp(size)
+}

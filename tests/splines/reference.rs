@@ -1,0 +1,86 @@
+//! The rows of `reference/bspline_basis.csv`.
+
+use super::exact::{self, Ratio};
+use super::number::{Numeric, error};
+use scancsg::scalar::I16F16;
+
+struct Row {
+    group: &'static str,
+    order: usize,
+    knots: Vec<Ratio>,
+    index: usize,
+    t: Ratio,
+    derivative: usize,
+    value: Ratio,
+}
+
+fn rows() -> Vec<Row> {
+    let parse = |line: &'static str| {
+        let field: Vec<&str> = line.split(',').collect();
+        Row {
+            group: field[1],
+            order: field[2].parse().unwrap(),
+            knots: field[3].split(' ').map(Ratio::parse).collect(),
+            index: field[4].parse().unwrap(),
+            t: Ratio::parse(field[5]),
+            derivative: field[6].parse().unwrap(),
+            value: Ratio::parse(field[7]),
+        }
+    };
+    let text = include_str!("../reference/bspline_basis.csv");
+    let rows: Vec<Row> = text.lines().skip(1).map(parse).collect();
+    assert_eq!(rows.len(), 577);
+    rows
+}
+
+/// The basis functions of any order that the table has.
+fn basis<S: Numeric>(row: &Row) -> S {
+    let number = |x: &Ratio| {
+        let rounded = S::of(x.to_f64());
+        assert_eq!(rounded.ratio(), *x, "not exact");
+        rounded
+    };
+    let knots: Vec<S> = row.knots.iter().map(number).collect();
+    let t = number(&row.t);
+    macro_rules! of_order {
+        ($($K:literal),+) => {
+            match row.order {
+                $($K => {
+                    let knots = S::knots::<$K, 12>(&knots).unwrap();
+                    knots.basis_derivative(row.index, row.derivative, t)
+                })+
+                _ => panic!("order {}", row.order),
+            }
+        };
+    }
+    of_order!(1, 2, 3, 4, 5, 6)
+}
+
+/// Errors of values in units of the value, of derivatives in units of the sum of their terms.
+fn worst<S: Numeric>(name: &str, is_in: impl Fn(&Row) -> bool, limits: [f64; 2]) {
+    let mut worst = [0f64; 2];
+    let mut count = 0;
+    for row in rows().iter().filter(|row| is_in(row)) {
+        let at = exact::span(&row.knots, &row.t);
+        let (value, size) =
+            exact::basis(&row.knots, at, row.order, row.index, &row.t, row.derivative);
+        assert_eq!(value, row.value, "the oracle disagrees with the table");
+        let got = basis::<S>(row);
+        if row.value.is_zero() && row.derivative == 0 {
+            assert_eq!(got, S::ZERO, "{}: {:?} N_{}({:?})", row.group, row.knots, row.index, row.t);
+        }
+        let error = error(got, &row.value, size.to_f64());
+        let kind = usize::from(row.derivative > 0);
+        worst[kind] = worst[kind].max(error);
+        assert!(error <= limits[kind], "{} N_{}({:?}): {error}", row.group, row.index, row.t);
+        count += 1;
+    }
+    println!("{name}: {count} rows, values {:.2}, derivatives {:.2} units", worst[0], worst[1]);
+}
+
+#[test]
+fn basis_functions_of_the_table() {
+    worst::<f32>("f32", |_| true, [3.0, 3.0]);
+    worst::<f64>("f64", |_| true, [3.0, 3.0]);
+    worst::<I16F16>("I16F16", |row| row.group != "f32only", [0.6, 0.6]);
+}
