@@ -7,11 +7,13 @@
 mod scene;
 
 use divan::{Bencher, black_box, counter::ItemsCount};
+use scancsg::constant;
 use scancsg::geom::{Line, Parallel, Pencil, Ray, Vec3};
 use scancsg::render::{Camera, Gray8, Lambert, Picture, PixelFormat, Size};
 use scancsg::scalar::I16F16;
 use scancsg::solid::{Project, Shape, Solid};
 use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
+use scancsg::spline::{Baked, Curve, Knots, Outside};
 use scancsg::stream::{Decoder, encode_row, packet_capacity};
 
 use scene::{Scene, Tee};
@@ -150,5 +152,43 @@ fn packet(bencher: Bencher<'_, '_>, which: &str) {
             let mut bytes = packet.get(..length).unwrap_or_default();
             decoder.feed(black_box(&mut bytes)).is_some()
         });
+    }
+}
+
+const KNOTS: Knots<f32, 4, 12> = constant!(Knots::<f32, 4, 12>::clamped_uniform(8, 0.0, 5.0));
+const PATH: Curve<Vec3<f32>, 4, 8, 12> = constant!(Curve::<Vec3<f32>, 4, 8, 12>::new(
+    KNOTS,
+    [
+        Vec3::new(0.0, 0.0, 0.0),
+        Vec3::new(1.0, 2.0, -1.0),
+        Vec3::new(3.0, 1.0, 0.5),
+        Vec3::new(4.0, -2.0, 1.0),
+        Vec3::new(2.0, -3.0, 2.0),
+        Vec3::new(0.0, -1.0, 3.0),
+        Vec3::new(-1.0, 1.0, 2.0),
+        Vec3::new(0.5, 2.0, 1.0),
+    ]
+));
+const BAKED: Baked<Vec3<f32>, 4, { KNOTS.spans() }> = constant!(PATH.bake());
+
+/// A hundred points along a cubic curve in space with eight control points.
+#[divan::bench(args = ["editable", "baked"])]
+fn spline_points(bencher: Bencher<'_, '_>, form: &str) {
+    let bencher = bencher.counter(ItemsCount::new(100u32));
+    let parameters: [f32; 100] = core::array::from_fn(|i| ((i * 37) % 100) as f32 / 20.0);
+    let clamp = Outside::Clamp;
+    let editable = black_box(PATH);
+    let baked = black_box(BAKED);
+    match form {
+        "editable" => bencher.bench_local(|| {
+            for t in black_box(&parameters) {
+                black_box(editable.value(*t, clamp)).ok();
+            }
+        }),
+        _ => bencher.bench_local(|| {
+            for t in black_box(&parameters) {
+                black_box(baked.value(*t, clamp)).ok();
+            }
+        }),
     }
 }

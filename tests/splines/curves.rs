@@ -95,8 +95,14 @@ pub fn config() -> Config {
     Config { failure_persistence: None, cases: cases.unwrap_or(150), ..Config::default() }
 }
 
+#[derive(Debug, Clone, Copy)]
+enum Form {
+    Editable,
+    Baked,
+}
+
 /// The largest error over random curves, in units of the largest control coordinate.
-fn worst<S: Numeric, const K: usize>(offset: f64, size: f64, limit: f64) {
+fn worst<S: Numeric, const K: usize>(offset: f64, size: f64, limit: f64, form: Form) {
     let most = Cell::new(0f64);
     TestRunner::new(config())
         .run(&case(K, offset, size), |case| {
@@ -107,7 +113,13 @@ fn worst<S: Numeric, const K: usize>(offset: f64, size: f64, limit: f64) {
             let Ok(curve) = S::curve::<K, POINTS, KNOTS>(sequence, &points) else {
                 return Err(TestCaseError::reject("empty"));
             };
-            let got = curve.value(t, Outside::Error).unwrap();
+            let got = match form {
+                Form::Editable => curve.value(t, Outside::Error).unwrap(),
+                Form::Baked => match S::value_baked(&curve, t, Outside::Error) {
+                    Ok(got) => got.unwrap(),
+                    Err(error) => return Err(TestCaseError::reject(error.as_str())),
+                },
+            };
             let knots = ratios(&knots);
             for (i, got) in got.into_iter().enumerate() {
                 let exact = exact::curve(&knots, K, &lane(&points, i), &t.ratio(), 0);
@@ -119,33 +131,61 @@ fn worst<S: Numeric, const K: usize>(offset: f64, size: f64, limit: f64) {
         })
         .unwrap();
     let name = std::any::type_name::<S>().split('<').next().unwrap();
-    println!("{name} order {K}, {offset} ± {size}: {:.2} units", most.get());
+    println!("{name} {form:?} order {K}, {offset} ± {size}: {:.2} units", most.get());
 }
 
 #[test]
 fn editable_quadratics_and_cubics() {
     for (offset, size) in [(0.0, 1.0), (0.0, 1e6), (1e6, 1.0), (1000.0, 300.0)] {
-        worst::<f32, 3>(offset, size, 1.5);
-        worst::<f32, 4>(offset, size, 1.5);
-        worst::<f64, 4>(offset, size, 1.5);
+        worst::<f32, 3>(offset, size, 1.5, Form::Editable);
+        worst::<f32, 4>(offset, size, 1.5, Form::Editable);
+        worst::<f64, 4>(offset, size, 1.5, Form::Editable);
     }
 }
 
 #[test]
 fn editable_curves_of_other_orders() {
-    worst::<f32, 1>(0.0, 10.0, 0.0);
-    worst::<f32, 2>(0.0, 10.0, 1.5);
-    worst::<f32, 5>(0.0, 10.0, 2.5);
-    worst::<f32, 6>(0.0, 10.0, 2.5);
+    worst::<f32, 1>(0.0, 10.0, 0.0, Form::Editable);
+    worst::<f32, 2>(0.0, 10.0, 1.5, Form::Editable);
+    worst::<f32, 5>(0.0, 10.0, 2.5, Form::Editable);
+    worst::<f32, 6>(0.0, 10.0, 2.5, Form::Editable);
 }
 
 #[test]
 fn editable_curves_in_fixed_point() {
     for (offset, size) in [(0.0, 1.0), (0.0, 32_767.0), (32_000.0, 700.0)] {
-        worst::<I16F16, 1>(offset, size, 0.0);
-        worst::<I16F16, 2>(offset, size, 0.51);
-        worst::<I16F16, 3>(offset, size, 0.51);
-        worst::<I16F16, 4>(offset, size, 0.51);
-        worst::<I16F16, 6>(offset, size, 0.51);
+        worst::<I16F16, 1>(offset, size, 0.0, Form::Editable);
+        worst::<I16F16, 2>(offset, size, 0.51, Form::Editable);
+        worst::<I16F16, 3>(offset, size, 0.51, Form::Editable);
+        worst::<I16F16, 4>(offset, size, 0.51, Form::Editable);
+        worst::<I16F16, 6>(offset, size, 0.51, Form::Editable);
     }
+}
+
+#[test]
+fn baked_curves() {
+    for (offset, size) in [(0.0, 1.0), (0.0, 1e6), (1e6, 1.0), (1000.0, 300.0)] {
+        worst::<f32, 3>(offset, size, 3.1, Form::Baked);
+        worst::<f32, 4>(offset, size, 3.1, Form::Baked);
+        worst::<f64, 4>(offset, size, 3.1, Form::Baked);
+    }
+}
+
+#[test]
+fn baked_curves_of_other_orders() {
+    worst::<f32, 1>(0.0, 10.0, 0.0, Form::Baked);
+    worst::<f32, 2>(0.0, 10.0, 3.1, Form::Baked);
+    worst::<f32, 5>(0.0, 10.0, 6.0, Form::Baked);
+    worst::<f32, 6>(0.0, 10.0, 6.0, Form::Baked);
+}
+
+#[test]
+fn baked_curves_in_fixed_point() {
+    for (offset, size) in [(0.0, 1.0), (0.0, 75.0), (32_000.0, 75.0)] {
+        worst::<I16F16, 1>(offset, size, 0.0, Form::Baked);
+        worst::<I16F16, 2>(offset, 4.0 * size, 0.6, Form::Baked);
+        worst::<I16F16, 3>(offset, 2.0 * size, 0.6, Form::Baked);
+        worst::<I16F16, 4>(offset, size, 0.6, Form::Baked);
+    }
+    worst::<I16F16, 6>(0.0, 20.0, 0.6, Form::Baked);
 }

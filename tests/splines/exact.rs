@@ -72,9 +72,7 @@ impl Ratio {
 
 impl PartialOrd for Ratio {
     fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(
-            (&self.numerator * &other.denominator).cmp(&(&other.numerator * &self.denominator)),
-        )
+        Some((&self.numerator * &other.denominator).cmp(&(&other.numerator * &self.denominator)))
     }
 }
 

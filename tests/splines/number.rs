@@ -2,7 +2,7 @@
 
 use super::exact::Ratio;
 use scancsg::scalar::I16F16;
-use scancsg::spline::{Blend, Curve, CurveError, KnotError, Knots};
+use scancsg::spline::{Blend, Curve, CurveError, EvaluateError, KnotError, Knots, Outside};
 
 pub trait Numeric: Blend {
     /// The nearest number.
@@ -11,12 +11,27 @@ pub trait Numeric: Blend {
     fn ratio(self) -> Ratio;
     /// The distance to the next number, for numbers of this size.
     fn ulp(size: f64) -> f64;
-    fn knots<const K: usize, const N: usize>(knots: &[Self])
-    -> Result<Knots<Self, K, N>, KnotError>;
+    fn knots<const K: usize, const N: usize>(
+        knots: &[Self],
+    ) -> Result<Knots<Self, K, N>, KnotError>;
     fn curve<const K: usize, const C: usize, const N: usize>(
         knots: Knots<Self, K, N>,
         points: &[[Self; 2]],
     ) -> Result<Curve<[Self; 2], K, C, N>, CurveError>;
+    fn value_baked<const K: usize, const C: usize, const N: usize>(
+        curve: &Curve<[Self; 2], K, C, N>,
+        t: Self,
+        outside: Outside,
+    ) -> Result<Result<[Self; 2], EvaluateError>, CurveError>;
+}
+
+macro_rules! of_spans {
+    ($curve:expr, $t:expr, $outside:expr, $($SPANS:literal),+) => {
+        match $curve.knots().spans() {
+            $($SPANS => Ok($curve.bake::<$SPANS>()?.value($t, $outside)),)+
+            spans => panic!("{spans} spans"),
+        }
+    };
 }
 
 macro_rules! constructors {
@@ -32,6 +47,14 @@ macro_rules! constructors {
             points: &[[Self; 2]],
         ) -> Result<Curve<[Self; 2], K, C, N>, CurveError> {
             Curve::<[Self; 2], K, C, N>::from_slice(knots, points)
+        }
+
+        fn value_baked<const K: usize, const C: usize, const N: usize>(
+            curve: &Curve<[Self; 2], K, C, N>,
+            t: Self,
+            outside: Outside,
+        ) -> Result<Result<[Self; 2], EvaluateError>, CurveError> {
+            of_spans!(curve, t, outside, 1, 2, 3, 4, 5, 6, 7, 8, 9)
         }
     };
 }
