@@ -9,7 +9,7 @@ use super::float::FloatFrame;
 use super::point::Point;
 use super::{CurveError, EvaluateError};
 use crate::geom::Vec3;
-use crate::scalar::{FixedI32, Fraction, Number};
+use crate::scalar::{Check, FixedI32, Fraction, Number};
 
 /// A B-spline curve of the order `K` as `SPANS` polynomials, one for each span of its domain that
 /// is not empty: [`Knots::spans`](super::Knots::spans) counts them.
@@ -156,8 +156,12 @@ macro_rules! bake {
             /// The curve's polynomials, for a constant: they don't follow when a control point is
             /// moved.
             ///
+            /// With twice as many `SPANS` as the curve has, each is divided into two polynomials,
+            /// and so on: rounding errors become smaller.
+            ///
             /// # Errors
-            /// [`CurveError::SpanCount`] unless the curve has `SPANS` spans;
+            /// [`CurveError::SpanCount`] unless `SPANS` is the number of the curve's spans, or a
+            /// multiple of it;
             /// [`CurveError::TooFar`] in fixed point, if a span goes so far that fewer than four
             /// guard bits are left: in `I16F16` control points some 150 units apart always
             /// are near enough for a cubic.
@@ -166,9 +170,11 @@ macro_rules! bake {
             ) -> Result<Baked<$Point, K, SPANS>, CurveError> {
                 const { assert!(SPANS > 0) };
                 let knots = &self.knots;
-                if knots.spans() != SPANS {
+                let spans = knots.spans();
+                if spans == 0 || spans > SPANS || SPANS % spans != 0 {
                     return Err(CurveError::SpanCount);
                 }
+                let parts = SPANS / spans;
                 let mut pieces = [Piece {
                     start: knots.knots[0],
                     frame: Bake::<$Scalar>::EMPTY,
@@ -176,26 +182,35 @@ macro_rules! bake {
                     coefficients: [[Bake::<$Scalar>::ZERO; $D]; K],
                 }; SPANS];
                 let mut end = knots.knots[0];
-                let (mut span, mut piece) = (K - 1, 0);
+                let (mut span, mut part, mut piece) = (K - 1, 0, 0);
                 while piece < SPANS && span + K < knots.length && span + K < N {
-                    let (start, stop) = (knots.knots[span], knots.knots[span + 1]);
-                    if Bake::<$Scalar>::f64(start) < Bake::<$Scalar>::f64(stop) {
-                        match self.piece(span) {
-                            Ok(made) => pieces[piece] = made,
-                            Err(error) => return Err(error),
-                        }
-                        piece += 1;
-                        end = stop;
+                    let (low, high) = (knots.knots[span], knots.knots[span + 1]);
+                    if part == parts || Bake::<$Scalar>::f64(low) >= Bake::<$Scalar>::f64(high) {
+                        span += 1;
+                        part = 0;
+                        continue;
                     }
-                    span += 1;
+                    let start = Check::<$Scalar>::part(low, high, part, parts);
+                    let stop = Check::<$Scalar>::part(low, high, part + 1, parts);
+                    match self.piece(span, start, stop) {
+                        Ok(made) => pieces[piece] = made,
+                        Err(error) => return Err(error),
+                    }
+                    piece += 1;
+                    part += 1;
+                    end = high;
                 }
                 Ok(Baked { pieces, end })
             }
 
-            const fn piece(&self, span: usize) -> Result<Piece<$Point, K>, CurveError> {
+            const fn piece(
+                &self,
+                span: usize,
+                start: $Scalar,
+                stop: $Scalar,
+            ) -> Result<Piece<$Point, K>, CurveError> {
                 let knots = &self.knots.knots;
-                let start = knots[span];
-                let (frame, middle, unit) = Bake::<$Scalar>::frame(start, knots[span + 1]);
+                let (frame, middle, unit) = Bake::<$Scalar>::frame(start, stop);
                 let zero = Bake::<$Scalar>::f64(start);
                 let (mut low, mut high) = ([0.0; K], [0.0; K]);
                 let mut points = [[0.0; K]; $D];

@@ -112,14 +112,14 @@ fn triangle<S: Blend, const K: usize>(knots: &[S], span: usize, order: usize, t:
     });
     let high: [S; K] = core::array::from_fn(|i| knots.get(span + 1 + i).copied().unwrap_or(ends.1));
     // The functions of a level in descending order: functions[i] is N_{span−i, level}.
-    let mut functions = [S::NOTHING; K];
+    let mut functions = [S::NONE; K];
     if let Some(first) = functions.first_mut() {
-        *first = S::ONE.inner();
+        *first = S::FULL;
     }
     for level in 1..K {
         let differs = level >= K - order;
         // What a function gives to its right neighbour's place: none to the very first.
-        let mut from_right = S::NOTHING;
+        let mut from_right = S::NONE;
         for (i, function) in functions.iter_mut().enumerate().take(level + 1) {
             // N_{span−i, level}, whose knots are t_{span−i} to t_{span−i+level}.
             let x = *function;
@@ -127,15 +127,15 @@ fn triangle<S: Blend, const K: usize>(knots: &[S], span: usize, order: usize, t:
             let high = level.checked_sub(i + 1).and_then(|i| high.get(i)).copied();
             let high = high.unwrap_or(low);
             let (own, left) = if differs {
-                let slope = S::slope(x, level as u16, low, high);
-                (slope, S::subtract(S::NOTHING, slope))
+                let slope = S::climb(x, level as u16, low, high);
+                (slope, S::negate_weight(slope))
             } else {
                 (S::rise(x, t, low, high), S::fall(x, t, low, high))
             };
-            *function = S::add(own, from_right);
+            *function = S::add_weights(own, from_right);
             from_right = left;
         }
     }
     functions.reverse();
-    functions.map(S::outer)
+    functions.map(S::from_weight)
 }

@@ -6,11 +6,15 @@ use core::fmt::Debug;
 /// A number type that splines can be made of: every [`Scalar`].
 ///
 /// Inside of an evaluation, numbers are of the type `Inner`: in floating point the type itself; in
-/// fixed point 64 bits, of which 28 are guard bits. So a value is rounded once.
+/// fixed point 64 bits, of which 28 are guard bits. So a value is rounded once. Basis functions are
+/// computed in twice the working precision: their errors are relative, and nothing waits for them.
 pub trait Blend: Scalar {
     /// A number inside of an evaluation.
     #[doc(hidden)]
     type Inner: Copy + Debug + PartialEq + PartialOrd;
+    /// The value of a basis function inside of an evaluation.
+    #[doc(hidden)]
+    type Weight: Copy;
     /// Where a parameter is between two knots.
     #[doc(hidden)]
     type Ratio: Copy;
@@ -33,6 +37,12 @@ pub trait Blend: Scalar {
     /// 0.
     #[doc(hidden)]
     const NOTHING: Self::Inner;
+    /// The weight 1.
+    #[doc(hidden)]
+    const FULL: Self::Weight;
+    /// The weight 0.
+    #[doc(hidden)]
+    const NONE: Self::Weight;
     /// A baked polynomial of this span may be evaluated outside of it.
     #[doc(hidden)]
     const EXTENDS: bool;
@@ -58,13 +68,27 @@ pub trait Blend: Scalar {
     #[doc(hidden)]
     fn blend(a: Self::Inner, b: Self::Inner, ratio: Self::Ratio) -> Self::Inner;
 
-    /// `x·(t − low)/(high − low)`, for `low ≤ t ≤ high`; 0 for knots that coincide.
+    /// `weight·(t − low)/(high − low)`, for `low ≤ t ≤ high`; 0 for knots that coincide.
     #[doc(hidden)]
-    fn rise(x: Self::Inner, t: Self, low: Self, high: Self) -> Self::Inner;
+    fn rise(weight: Self::Weight, t: Self, low: Self, high: Self) -> Self::Weight;
 
-    /// `x·(high − t)/(high − low)`, for `low ≤ t ≤ high`; 0 for knots that coincide.
+    /// `weight·(high − t)/(high − low)`, for `low ≤ t ≤ high`; 0 for knots that coincide.
     #[doc(hidden)]
-    fn fall(x: Self::Inner, t: Self, low: Self, high: Self) -> Self::Inner;
+    fn fall(weight: Self::Weight, t: Self, low: Self, high: Self) -> Self::Weight;
+
+    /// `weight·degree/(high − low)`, held inside of the type's range; 0 for knots that coincide.
+    #[doc(hidden)]
+    fn climb(weight: Self::Weight, degree: u16, low: Self, high: Self) -> Self::Weight;
+
+    #[doc(hidden)]
+    fn add_weights(a: Self::Weight, b: Self::Weight) -> Self::Weight;
+
+    #[doc(hidden)]
+    fn negate_weight(weight: Self::Weight) -> Self::Weight;
+
+    /// The nearest number.
+    #[doc(hidden)]
+    fn from_weight(weight: Self::Weight) -> Self;
 
     /// `x·degree/(high − low)`; 0 for knots that coincide.
     #[doc(hidden)]

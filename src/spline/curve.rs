@@ -330,20 +330,19 @@ pub(super) fn on_span<P: Point, const K: usize>(
 
     let mut blended = points.map(inner);
     for level in 1..K {
-        let next = blended;
-        let intervals = low.iter().skip(level).zip(high);
-        let pairs = blended.iter_mut().zip(next.iter().skip(1));
-        if level <= order {
-            let degree = (K - level) as u16;
-            for ((a, b), (&low, &high)) in pairs.zip(intervals) {
-                combine::<P>(a, *b, |a, b| {
+        // Loops over an index get unrolled, which chains of iterators don't.
+        for i in 0..K - level {
+            let (Some(&low), Some(&high)) = (low.get(i + level), high.get(i)) else { break };
+            let Some(&b) = blended.get(i + 1) else { break };
+            let Some(a) = blended.get_mut(i) else { break };
+            if level <= order {
+                let degree = (K - level) as u16;
+                combine::<P>(a, b, |a, b| {
                     P::Scalar::slope(P::Scalar::subtract(b, a), degree, low, high)
                 });
-            }
-        } else {
-            for ((a, b), (&low, &high)) in pairs.zip(intervals) {
+            } else {
                 let ratio = P::Scalar::ratio(t, low, high);
-                combine::<P>(a, *b, |a, b| P::Scalar::blend(a, b, ratio));
+                combine::<P>(a, b, |a, b| P::Scalar::blend(a, b, ratio));
             }
         }
     }

@@ -71,6 +71,7 @@ fn held(x: i128) -> i64 {
 
 impl<F: Fraction> Blend for FixedI32<F> {
     type Inner = i64;
+    type Weight = i64;
     type Ratio = Mixed;
     type Frame = FixedFrame;
     type Local = i32;
@@ -80,6 +81,8 @@ impl<F: Fraction> Blend for FixedI32<F> {
 
     const LARGEST: Self = Self::MAX;
     const NOTHING: i64 = 0;
+    const FULL: i64 = 1 << (GUARD + F::BITS);
+    const NONE: i64 = 0;
     const EXTENDS: bool = false;
 
     #[inline]
@@ -117,6 +120,25 @@ impl<F: Fraction> Blend for FixedI32<F> {
 
     fn fall(x: i64, t: Self, low: Self, high: Self) -> i64 {
         Mixed::new(width(t, high), width(low, high)).of(x)
+    }
+
+    fn climb(x: i64, degree: u16, low: Self, high: Self) -> i64 {
+        Self::slope(x, degree, low, high)
+    }
+
+    #[inline]
+    fn add_weights(a: i64, b: i64) -> i64 {
+        a.saturating_add(b)
+    }
+
+    #[inline]
+    fn negate_weight(weight: i64) -> i64 {
+        weight.saturating_neg()
+    }
+
+    #[inline]
+    fn from_weight(weight: i64) -> Self {
+        Self::outer(weight)
     }
 
     fn slope(x: i64, degree: u16, low: Self, high: Self) -> i64 {

@@ -1,7 +1,8 @@
 //! Splines in floating point.
 
 use super::blend::Blend;
-use crate::scalar::{Number, Real, Scalar};
+use crate::scalar::{Double, Float, Number, Real, Scalar};
+use core::hint::select_unpredictable;
 
 /// Where a parameter is between two knots: measured from the nearer one.
 ///
@@ -13,6 +14,43 @@ pub struct Nearer<S> {
     from_high: bool,
     /// From −1/2 to 1/2 for parameters between the knots.
     offset: S,
+}
+
+/// The value of a basis function, in twice the working precision.
+#[doc(hidden)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Weight<S>(Double<S>);
+
+impl<S: Float> Weight<S> {
+    /// `self·part/whole`; 0 for a whole of 0.
+    fn share(self, part: Double<S>, whole: Double<S>) -> Self {
+        Self(self.0.times(quotient(part, whole)))
+    }
+
+    /// `self·degree/width`, with a size up to `most`; 0 for a width of 0.
+    fn climb(self, degree: S, width: Double<S>, most: S) -> Self {
+        let product = self.0.times(Double::from(degree));
+        let Double { high, low } = quotient(product, width);
+        // Outside of the range in which the product of quotient and divisor has an exact error.
+        if high.abs() > S::REACH {
+            return Self(Double::from(high.min(most).max(-most)));
+        }
+        Self(Double { high, low })
+    }
+}
+
+/// `a/b`, with a relative error of a few units of the last place of `low`; 0 for a divisor of 0.
+fn quotient<S: Float>(a: Double<S>, b: Double<S>) -> Double<S> {
+    if b.high == S::ZERO {
+        return Double::from(S::ZERO);
+    }
+    let high = a.high / b.high;
+    if high.abs() > S::REACH {
+        return Double::from(high);
+    }
+    let back = Double::product(high, b.high);
+    let rest = ((a.high - back.high) - back.low) + (a.low - high * b.low);
+    Double::sum(high, rest / b.high)
 }
 
 /// The local parameter of a baked span is `((t − start) − half)·scale`.
@@ -28,6 +66,7 @@ macro_rules! floats {
     ($($Float:ident $fmod:path),+) => {$(
         impl Blend for $Float {
             type Inner = Self;
+            type Weight = Weight<Self>;
             type Ratio = Nearer<Self>;
             type Frame = FloatFrame<Self>;
             type Local = Self;
@@ -36,6 +75,8 @@ macro_rules! floats {
 
             const LARGEST: Self = Self::REACH;
             const NOTHING: Self = 0.0;
+            const FULL: Weight<Self> = Weight(Double { high: 1.0, low: 0.0 });
+            const NONE: Weight<Self> = Weight(Double { high: 0.0, low: 0.0 });
             const EXTENDS: bool = true;
 
             #[inline]
@@ -62,23 +103,40 @@ macro_rules! floats {
             fn ratio(t: Self, low: Self, high: Self) -> Nearer<Self> {
                 let (above, below) = (t - low, t - high);
                 let from_high = -below < above;
-                Nearer { from_high, offset: if from_high { below } else { above } / (high - low) }
+                let near = select_unpredictable(from_high, below, above);
+                Nearer { from_high, offset: near / (high - low) }
             }
 
             #[inline]
             fn blend(a: Self, b: Self, ratio: Nearer<Self>) -> Self {
-                let anchor = if ratio.from_high { b } else { a };
+                let anchor = select_unpredictable(ratio.from_high, b, a);
                 anchor + (b - a) * ratio.offset
             }
 
-            #[inline]
-            fn rise(x: Self, t: Self, low: Self, high: Self) -> Self {
-                if low < high { x * ((t - low) / (high - low)) } else { 0.0 }
+            fn rise(weight: Weight<Self>, t: Self, low: Self, high: Self) -> Weight<Self> {
+                weight.share(Double::sum(t, -low), Double::sum(high, -low))
+            }
+
+            fn fall(weight: Weight<Self>, t: Self, low: Self, high: Self) -> Weight<Self> {
+                weight.share(Double::sum(high, -t), Double::sum(high, -low))
+            }
+
+            fn climb(weight: Weight<Self>, degree: u16, low: Self, high: Self) -> Weight<Self> {
+                weight.climb(Self::from(degree), Double::sum(high, -low), Self::MAX / 4.0)
+            }
+
+            fn add_weights(a: Weight<Self>, b: Weight<Self>) -> Weight<Self> {
+                Weight(a.0.plus(b.0))
             }
 
             #[inline]
-            fn fall(x: Self, t: Self, low: Self, high: Self) -> Self {
-                if low < high { x * ((high - t) / (high - low)) } else { 0.0 }
+            fn negate_weight(weight: Weight<Self>) -> Weight<Self> {
+                Weight(Double { high: -weight.0.high, low: -weight.0.low })
+            }
+
+            #[inline]
+            fn from_weight(weight: Weight<Self>) -> Self {
+                weight.0.round()
             }
 
             #[inline]

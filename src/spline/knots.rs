@@ -37,6 +37,19 @@ impl<F: Fraction> Check<FixedI32<F>> {
         Self::exactly(from.to_bits() as i128 + part)
     }
 
+    /// As [`divided`](Self::divided), for `index ≤ count`, between numbers that are fit for it.
+    pub(super) const fn part(
+        from: FixedI32<F>,
+        to: FixedI32<F>,
+        index: usize,
+        count: usize,
+    ) -> FixedI32<F> {
+        match Self::divided(from, to, index, count) {
+            Some(at) => at,
+            None => to,
+        }
+    }
+
     /// `low + (high − middle)`.
     const fn shifted(
         low: FixedI32<F>,
@@ -70,6 +83,18 @@ macro_rules! floats {
             ) -> Option<$Float> {
                 let at = from + (to - from) * index as $Float / count as $Float;
                 Self::finite(if at > to { to } else { at })
+            }
+
+            pub(super) const fn part(
+                from: $Float,
+                to: $Float,
+                index: usize,
+                count: usize,
+            ) -> $Float {
+                match Self::divided(from, to, index, count) {
+                    Some(at) if index < count => at,
+                    _ => to,
+                }
             }
 
             const fn shifted(low: $Float, high: $Float, middle: $Float) -> Option<$Float> {

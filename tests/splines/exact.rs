@@ -136,6 +136,12 @@ pub fn basis(
     (value, size)
 }
 
+/// The span of the domain whose polynomial a curve has at a parameter: the last one at its end.
+pub fn span_of_domain(knots: &[Ratio], order: usize, t: &Ratio) -> Option<usize> {
+    let mut spans = (order - 1..knots.len() - order).filter(|&i| knots[i] < knots[i + 1]);
+    spans.clone().rfind(|&i| &knots[i] <= t).or(spans.next())
+}
+
 /// A curve's derivative, coordinate by coordinate, at a parameter inside of the domain or outside.
 pub fn curve(
     knots: &[Ratio],
@@ -144,9 +150,7 @@ pub fn curve(
     t: &Ratio,
     derivative: usize,
 ) -> Ratio {
-    let (from, to) = (order - 1, points.len());
-    let spans = (from..to).filter(|&i| knots[i] < knots[i + 1]);
-    let span = spans.clone().rfind(|&i| &knots[i] <= t).or(spans.clone().next());
+    let span = span_of_domain(knots, order, t);
     let first = span.unwrap() + 1 - order;
     (first..first + order).fold(Ratio::zero(), |sum, i| {
         let (weight, _) = basis(knots, span, order, i, t, derivative);

@@ -2,7 +2,10 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod bad_input;
 mod curves;
 mod exact;
 mod number;
+mod properties;
 mod reference;
+mod sweeps;

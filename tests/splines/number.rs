@@ -18,16 +18,18 @@ pub trait Numeric: Blend {
         knots: Knots<Self, K, N>,
         points: &[[Self; 2]],
     ) -> Result<Curve<[Self; 2], K, C, N>, CurveError>;
+    /// With so many polynomials to a span: 1 or 2.
     fn value_baked<const K: usize, const C: usize, const N: usize>(
         curve: &Curve<[Self; 2], K, C, N>,
+        parts: usize,
         t: Self,
         outside: Outside,
     ) -> Result<Result<[Self; 2], EvaluateError>, CurveError>;
 }
 
 macro_rules! of_spans {
-    ($curve:expr, $t:expr, $outside:expr, $($SPANS:literal),+) => {
-        match $curve.knots().spans() {
+    ($curve:expr, $parts:expr, $t:expr, $outside:expr, $($SPANS:literal),+) => {
+        match $curve.knots().spans() * $parts {
             $($SPANS => Ok($curve.bake::<$SPANS>()?.value($t, $outside)),)+
             spans => panic!("{spans} spans"),
         }
@@ -51,10 +53,11 @@ macro_rules! constructors {
 
         fn value_baked<const K: usize, const C: usize, const N: usize>(
             curve: &Curve<[Self; 2], K, C, N>,
+            parts: usize,
             t: Self,
             outside: Outside,
         ) -> Result<Result<[Self; 2], EvaluateError>, CurveError> {
-            of_spans!(curve, t, outside, 1, 2, 3, 4, 5, 6, 7, 8, 9)
+            of_spans!(curve, parts, t, outside, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18)
         }
     };
 }

@@ -1,0 +1,186 @@
+//! Curves as polylines, and their lengths.
+
+use super::FlattenError;
+use super::blend::Blend;
+use super::curve::{Curve, on_span};
+use super::point::{Inner, Point, combine, inner, outer};
+use crate::scalar::Number;
+
+/// A point of a curve, and where it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Vertex<P: Point> {
+    /// The parameter.
+    pub t: P::Scalar,
+    /// The curve's point there.
+    pub point: P,
+}
+
+/// The vertices of a polyline that approximates a curve: see [`Curve::flatten`].
+#[derive(Debug, Clone)]
+pub struct Flatten<'a, P: Point, const K: usize> {
+    walk: Walk<'a, P, K>,
+}
+
+/// The lengths of a curve from its beginning up to the vertices of a polyline: see
+/// [`Curve::lengths`].
+#[derive(Debug, Clone)]
+pub struct Lengths<'a, P: Point, const K: usize> {
+    walk: Walk<'a, P, K>,
+    last: Option<Inner<P>>,
+    length: <P::Scalar as Blend>::Inner,
+}
+
+/// From vertex to vertex.
+#[derive(Debug, Clone)]
+struct Walk<'a, P: Point, const K: usize> {
+    knots: &'a [P::Scalar],
+    points: &'a [P],
+    tolerance: P::Scalar,
+    span: usize,
+    /// Of this span; 0 before it is known.
+    segments: u32,
+    /// The next vertex of this span.
+    next: u32,
+}
+
+impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N> {
+    /// A polyline, from the beginning of the curve to its end, that is nowhere farther from it
+    /// than `tolerance`: in fixed point, and a unit for rounding.
+    ///
+    /// Each span is divided evenly, in as many parts as it needs: with a second derivative of no
+    /// more than M over a length h in the parameter, a chord is within M h²/8 of the curve (Piegl
+    /// and Tiller, *The NURBS Book*, 1997, give the bound for surfaces), and M is at a control
+    /// point of the second derivative. Vertices at all knots of the domain are among them; where
+    /// a curve jumps at a knot of multiplicity K, it is bridged by a segment.
+    ///
+    /// ```
+    /// use scancsg::{constant, spline::{Curve, Knots}};
+    ///
+    /// const KNOTS: Knots<f32, 3, 6> = constant!(Knots::<f32, 3, 6>::clamped_uniform(3, 0.0, 1.0));
+    /// const ARCH: Curve<[f32; 2], 3, 3, 6> = constant!(Curve::<[f32; 2], 3, 3, 6>::new(
+    ///     KNOTS, [[0.0, 0.0], [2.0, 4.0], [4.0, 0.0]],
+    /// ));
+    /// let polyline: Vec<_> = ARCH.flatten(0.5)?.map(|vertex| vertex.point).collect();
+    /// assert_eq!(polyline, [[0.0, 0.0], [2.0, 2.0], [4.0, 0.0]]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`FlattenError::Tolerance`] unless the tolerance is positive and finite.
+    pub fn flatten(&self, tolerance: P::Scalar) -> Result<Flatten<'_, P, K>, FlattenError> {
+        Ok(Flatten { walk: self.walk(tolerance)? })
+    }
+
+    /// The length of the curve up to each vertex of [`flatten`](Self::flatten), measured along the
+    /// polyline; the last one is that of the whole curve.
+    ///
+    /// With a tolerance τ and chords of a length c, it is short by about 8τ²/3c at each.
+    ///
+    /// # Errors
+    /// [`FlattenError::Tolerance`] unless the tolerance is positive and finite.
+    pub fn lengths(&self, tolerance: P::Scalar) -> Result<Lengths<'_, P, K>, FlattenError> {
+        let length = P::Scalar::NOTHING;
+        Ok(Lengths { walk: self.walk(tolerance)?, last: None, length })
+    }
+
+    fn walk(&self, tolerance: P::Scalar) -> Result<Walk<'_, P, K>, FlattenError> {
+        if !(tolerance > P::Scalar::ZERO && tolerance.is_finite()) {
+            return Err(FlattenError::Tolerance);
+        }
+        let (knots, points) = (self.knots.as_slice(), self.points());
+        Ok(Walk { knots, points, tolerance, span: K - 1, segments: 0, next: 0 })
+    }
+}
+
+impl<P: Point, const K: usize> Walk<'_, P, K> {
+    /// The next vertex and its parameter.
+    fn step(&mut self) -> Option<(P::Scalar, Inner<P>)> {
+        loop {
+            if self.span >= self.points.len() {
+                return None;
+            }
+            let (low, high) = (*self.knots.get(self.span)?, *self.knots.get(self.span + 1)?);
+            if low < high {
+                if self.segments == 0 {
+                    self.segments = self.needed(low, high);
+                }
+                // The last vertex of a span is the first of the next one, except for the very last
+                // and where the curve may jump.
+                let is_last = high >= *self.knots.get(self.points.len())?;
+                let may_jump = self.knots.iter().filter(|&&knot| knot == high).count() >= K;
+                let vertices = self.segments.saturating_add(u32::from(is_last || may_jump));
+                if self.next < vertices {
+                    let index = self.next;
+                    self.next += 1;
+                    let t = if index >= self.segments {
+                        high
+                    } else {
+                        P::Scalar::between(low, high, index, self.segments)
+                    };
+                    return Some((t, on_span::<P, K>(self.knots, self.points, self.span, 0, t)?));
+                }
+            }
+            self.span += 1;
+            self.segments = 0;
+            self.next = 0;
+        }
+    }
+
+    /// In how many parts a span has to be divided.
+    fn needed(&self, low: P::Scalar, high: P::Scalar) -> u32 {
+        let first = (self.span + 1).saturating_sub(K);
+        let points = self.points.get(first..).and_then(|points| points.first_chunk::<K>());
+        let lows = self.knots.get(first..).and_then(|knots| knots.first_chunk::<K>());
+        let highs = self.knots.get(self.span + 1..).and_then(|knots| knots.first_chunk::<K>());
+        let (Some(points), Some(lows), Some(highs)) = (points, lows, highs) else { return 1 };
+        if K < 3 {
+            return 1;
+        }
+        // Two levels of differences, as if the span had a length of 1: so nothing overflows,
+        // however short it is.
+        let mut differences = points.map(inner);
+        for level in 1..3 {
+            for i in 0..K.saturating_sub(level) {
+                let (Some(&from), Some(&to)) = (lows.get(i + level), highs.get(i)) else { break };
+                let Some(&b) = differences.get(i + 1) else { break };
+                let Some(a) = differences.get_mut(i) else { break };
+                combine::<P>(a, b, |a, b| {
+                    P::Scalar::share(P::Scalar::subtract(b, a), [low, high], [from, to])
+                });
+            }
+        }
+        let mut largest = P::Scalar::NOTHING;
+        for difference in differences.iter().take(K.saturating_sub(2)) {
+            let norm = P::Scalar::norm(difference.as_ref());
+            if norm > largest {
+                largest = norm;
+            }
+        }
+        let factor = ((K - 1) * K.saturating_sub(2)) as u16;
+        P::Scalar::segments(largest, factor, self.tolerance)
+    }
+}
+
+impl<P: Point, const K: usize> Iterator for Flatten<'_, P, K> {
+    type Item = Vertex<P>;
+
+    fn next(&mut self) -> Option<Vertex<P>> {
+        let (t, point) = self.walk.step()?;
+        Some(Vertex { t, point: outer(point) })
+    }
+}
+
+impl<P: Point, const K: usize> Iterator for Lengths<'_, P, K> {
+    /// A parameter, and the length of the curve from its beginning to there.
+    type Item = (P::Scalar, P::Scalar);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let (t, point) = self.walk.step()?;
+        if let Some(mut chord) = self.last {
+            combine::<P>(&mut chord, point, |from, to| P::Scalar::subtract(to, from));
+            self.length = P::Scalar::add(self.length, P::Scalar::norm(chord.as_ref()));
+        }
+        self.last = Some(point);
+        Some((t, P::Scalar::outer(self.length)))
+    }
+}

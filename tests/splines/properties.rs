@@ -1,0 +1,348 @@
+//! What holds for all splines.
+
+use super::curves::{KNOTS, POINTS, Rounded, case, config, lane, largest, ratios};
+use super::exact::{self, Ratio};
+use super::number::{Numeric, error};
+use proptest::prelude::*;
+use proptest::test_runner::TestRunner;
+use scancsg::scalar::I16F16;
+use scancsg::spline::{Curve, Knots, Outside};
+
+type Made<S, const K: usize> = Curve<[S; 2], K, POINTS, KNOTS>;
+
+/// Random curves with a parameter in their domain.
+fn curves<S: Numeric, const K: usize>(
+    offset: f64,
+    size: f64,
+    holds: impl Fn(Made<S, K>, Rounded<S>) -> Result<(), TestCaseError>,
+) {
+    TestRunner::new(config())
+        .run(&case(K, offset, size), |case| {
+            let rounded = case.rounded::<S>(K);
+            let made = S::knots::<K, KNOTS>(&rounded.knots)
+                .ok()
+                .and_then(|knots| S::curve::<K, POINTS, KNOTS>(knots, &rounded.points).ok());
+            holds(made.ok_or(TestCaseError::reject("empty"))?, rounded)
+        })
+        .unwrap();
+}
+
+fn f64_of<S: Numeric>(x: S) -> f64 {
+    x.ratio().to_f64()
+}
+
+/// The end of the domain, when there are knots behind it: basis functions are continuous from the
+/// right there, and a curve from the left.
+fn is_behind<S: Numeric, const K: usize>(curve: &Made<S, K>, t: S) -> bool {
+    t == curve.domain().to && curve.knots().as_slice().last() != Some(&t)
+}
+
+fn basis<S: Numeric, const K: usize>() {
+    curves::<S, K>(0.0, 10.0, |curve, Rounded { t, knots, .. }| {
+        if is_behind(&curve, t) {
+            return Ok(());
+        }
+        let all = curve.knots().non_zero(t).unwrap();
+        let sum: f64 = all.values().iter().map(|&x| f64_of(x)).sum();
+        prop_assert_eq!(all.values().len(), K);
+        prop_assert!((sum - 1.0).abs() <= K as f64 * 2.0 * S::ulp(1.0), "sum {}", sum);
+        prop_assert!(all.values().iter().all(|&x| x >= S::ZERO), "{:?}", all);
+        // Local support, and one function at a time is the same as all at once.
+        for i in 0..curve.knots().points() {
+            let value = curve.knots().basis(i, t);
+            let inside = i.checked_sub(all.first).and_then(|i| all.values().get(i));
+            prop_assert_eq!(value, inside.copied().unwrap_or(S::ZERO));
+            if t < knots[i] || t > knots[i + K] {
+                prop_assert_eq!(value, S::ZERO);
+            }
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn basis_functions_add_up_to_one() {
+    basis::<f32, 1>();
+    basis::<f32, 3>();
+    basis::<f32, 4>();
+    basis::<f32, 6>();
+    basis::<f64, 4>();
+    basis::<I16F16, 2>();
+    basis::<I16F16, 4>();
+}
+
+/// Values of basis functions, and derivatives in units of the sum of their terms.
+fn basis_errors<S: Numeric, const K: usize>(limits: [f64; 2]) {
+    let most = std::cell::Cell::new([0f64; 2]);
+    curves::<S, K>(0.0, 10.0, |curve, Rounded { t, knots, .. }| {
+        let (knots, exact_t) = (ratios(&knots), t.ratio());
+        let at = exact::span(&knots, &exact_t);
+        for derivative in 0..K.min(3) {
+            for i in 0..curve.knots().points() {
+                let (value, size) = exact::basis(&knots, at, K, i, &exact_t, derivative);
+                let got = curve.knots().basis_derivative(i, derivative, t);
+                if size > Ratio::whole(30_000) && S::ulp(1e30) < 1.0 {
+                    continue; // out of range in fixed point
+                }
+                let error = error(got, &value, size.to_f64());
+                let kind = usize::from(derivative > 0);
+                let mut worst = most.get();
+                worst[kind] = worst[kind].max(error);
+                most.set(worst);
+                prop_assert!(
+                    error <= limits[kind],
+                    "{derivative}: {error}, {got:?} {}",
+                    value.to_f64()
+                );
+            }
+        }
+        Ok(())
+    });
+    println!("{} order {K} basis: {:?}", std::any::type_name::<S>(), most.get());
+}
+
+#[test]
+fn basis_functions_are_accurate() {
+    basis_errors::<f32, 2>([1.0, 3.0]);
+    basis_errors::<f32, 3>([1.0, 3.0]);
+    basis_errors::<f32, 4>([1.0, 3.0]);
+    basis_errors::<f32, 6>([1.0, 3.0]);
+    basis_errors::<f64, 4>([1.0, 3.0]);
+    basis_errors::<I16F16, 3>([0.6, 0.6]);
+    basis_errors::<I16F16, 4>([0.6, 0.6]);
+}
+
+/// A value lies among the control points that it depends on, but for its rounding.
+fn hull<S: Numeric, const K: usize>() {
+    curves::<S, K>(3.0, 10.0, |curve, Rounded { t, points, .. }| {
+        let got = curve.value(t, Outside::Error).unwrap();
+        if is_behind(&curve, t) {
+            return Ok(());
+        }
+        let first = curve.knots().non_zero(t).unwrap().first;
+        let unit = 1.5 * S::ulp(largest(&points));
+        for (i, got) in got.into_iter().enumerate() {
+            let near = points[first..first + K].iter().map(|point| f64_of(point[i]));
+            let (low, high) =
+                (near.clone().fold(f64::MAX, f64::min), near.fold(f64::MIN, f64::max));
+            prop_assert!(low - unit <= f64_of(got) && f64_of(got) <= high + unit);
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn curves_stay_in_the_hull_of_their_control_points() {
+    hull::<f32, 3>();
+    hull::<f32, 4>();
+    hull::<f64, 4>();
+    hull::<I16F16, 4>();
+}
+
+/// Points mapped by `x·scale + shift` give the mapped curve.
+fn affine<S: Numeric>() {
+    curves::<S, 4>(0.0, 10.0, |curve, Rounded { t, points, .. }| {
+        let [scale, shift] = [2.0, 17.25].map(S::of);
+        let mapped: Vec<_> =
+            points.iter().map(|point| point.map(|x| x.times(scale).plus(shift))).collect();
+        let other = S::curve::<4, POINTS, KNOTS>(*curve.knots(), &mapped).unwrap();
+        let expected = curve.value(t, Outside::Error).unwrap().map(|x| x.times(scale).plus(shift));
+        let got = other.value(t, Outside::Error).unwrap();
+        for (got, expected) in got.into_iter().zip(expected) {
+            let units = (f64_of(got) - f64_of(expected)).abs() / S::ulp(37.0);
+            prop_assert!(units <= 4.0, "{} units", units);
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn curves_follow_affine_maps() {
+    affine::<f32>();
+    affine::<f64>();
+    affine::<I16F16>();
+}
+
+fn ends<S: Numeric, const K: usize>() {
+    curves::<S, K>(7.0, 1000.0, |curve, Rounded { knots, points, .. }| {
+        let domain = curve.domain();
+        if knots[0] == knots[K - 1] {
+            prop_assert_eq!(curve.value(domain.from, Outside::Error).unwrap(), points[0]);
+        }
+        let n = points.len();
+        if knots[n] == knots[n + K - 1] {
+            prop_assert_eq!(curve.value(domain.to, Outside::Error).unwrap(), points[n - 1]);
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn clamped_ends_are_exact() {
+    ends::<f32, 3>();
+    ends::<f32, 4>();
+    ends::<f64, 6>();
+    ends::<I16F16, 4>();
+}
+
+/// Derivatives of curves against exact ones, as a share of the sum of their terms.
+fn derivatives<S: Numeric, const K: usize>(limit: f64) {
+    curves::<S, K>(0.0, 10.0, |curve, Rounded { t, knots, points }| {
+        let knots = ratios(&knots);
+        for order in 1..=K {
+            let got = curve.derivative(order, t, Outside::Error).unwrap();
+            for (i, got) in got.into_iter().enumerate() {
+                let lane = lane(&points, i);
+                let exact = exact::curve(&knots, K, &lane, &t.ratio(), order.min(K));
+                if order >= K {
+                    prop_assert_eq!(got, S::ZERO);
+                    continue;
+                }
+                let at = exact::span_of_domain(&knots, K, &t.ratio());
+                let size = (0..points.len()).fold(Ratio::zero(), |sum, j| {
+                    let (_, size) = exact::basis(&knots, at, K, j, &t.ratio(), order);
+                    &sum + &(&size * &lane[j].abs())
+                });
+                if S::ulp(1e30) < 1.0 && size > Ratio::whole(30_000) {
+                    continue;
+                }
+                let error = error(got, &exact, size.to_f64());
+                prop_assert!(error <= limit, "order {order}: {error}");
+            }
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn derivatives_are_those_of_the_exact_curve() {
+    derivatives::<f32, 3>(3.0);
+    derivatives::<f32, 4>(3.0);
+    derivatives::<f64, 5>(3.0);
+    derivatives::<I16F16, 3>(0.6);
+    derivatives::<I16F16, 4>(0.6);
+}
+
+/// Anywhere, with every policy: no NaN, and no panic.
+fn everywhere<S: Numeric, const K: usize>(parameters: &[f64]) {
+    curves::<S, K>(0.0, 1000.0, |mut curve, Rounded { t, .. }| {
+        for t in parameters.iter().map(|&t| S::of(t)).chain([t]) {
+            for outside in [Outside::Error, Outside::Clamp, Outside::Extrapolate, Outside::Wrap] {
+                for order in 0..3 {
+                    if let Ok(point) = curve.derivative(order, t, outside) {
+                        prop_assert!(point.iter().all(|x| x.is_finite()), "{t:?} {outside:?}");
+                    }
+                }
+                if let Ok(Ok(point)) = S::value_baked(&curve, 2, t, outside) {
+                    prop_assert!(point.iter().all(|x| x.is_finite()), "{t:?} {outside:?}");
+                    if matches!(outside, Outside::Clamp | Outside::Wrap) {
+                        let other = curve.value(t, outside).unwrap();
+                        for (x, y) in point.into_iter().zip(other) {
+                            let units = (f64_of(x) - f64_of(y)).abs() / S::ulp(1000.0);
+                            prop_assert!(units <= 9.0, "{units}");
+                        }
+                    }
+                }
+            }
+            let _ = curve.insert(t);
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn no_parameter_is_too_strange() {
+    let parameters =
+        [0.0, -0.0, 1.0, -1e30, 1e30, f64::MAX, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e-40];
+    everywhere::<f32, 3>(&parameters);
+    everywhere::<f32, 4>(&parameters);
+    everywhere::<f64, 4>(&parameters);
+    everywhere::<I16F16, 4>(&parameters);
+}
+
+/// Inserted knots don't change a curve by more than rounding.
+fn insertion<S: Numeric, const K: usize>(units: f64) {
+    curves::<S, K>(0.0, 10.0, |mut curve, Rounded { t, knots, points }| {
+        if points.len() == POINTS {
+            return Ok(());
+        }
+        let exact = exact::curve(&ratios(&knots), K, &lane(&points, 0), &t.ratio(), 0);
+        let domain = curve.domain();
+        let knot = S::of(0.3 * f64_of(domain.from) + 0.7 * f64_of(domain.to));
+        let knots: Vec<S> = knots;
+        let before = curve;
+        if curve.insert(knot).is_err() {
+            prop_assert_eq!(before.points(), curve.points());
+            return Ok(());
+        }
+        prop_assert_eq!(curve.points().len(), points.len() + 1);
+        let mut expected = knots;
+        expected.push(knot);
+        expected.sort_by(|a, b| a.partial_cmp(b).unwrap());
+        prop_assert_eq!(curve.knots().as_slice(), &expected[..]);
+        let [got, _] = curve.value(t, Outside::Error).unwrap();
+        let error = error(got, &exact, largest(&points));
+        prop_assert!(error <= units, "{} units", error);
+        Ok(())
+    });
+}
+
+#[test]
+fn insertion_keeps_the_curve() {
+    insertion::<f32, 2>(3.0);
+    insertion::<f32, 4>(3.0);
+    insertion::<f64, 4>(3.0);
+    insertion::<I16F16, 4>(1.1);
+}
+
+/// Every point of the curve is near the polyline.
+fn flat<S: Numeric, const K: usize>(tolerance: f64) {
+    curves::<S, K>(0.0, 10.0, |curve, Rounded { t, .. }| {
+        let vertices: Vec<_> = curve.flatten(S::of(tolerance)).unwrap().take(100_000).collect();
+        let domain = curve.domain();
+        prop_assert_eq!(vertices.first().unwrap().t, domain.from);
+        prop_assert_eq!(vertices.last().unwrap().t, domain.to);
+        prop_assert!(vertices.windows(2).all(|pair| pair[0].t <= pair[1].t));
+        let [x, y] = curve.value(t, Outside::Error).unwrap().map(f64_of);
+        let nearest =
+            vertices.windows(2).filter(|pair| pair[0].t <= t && t <= pair[1].t).map(|pair| {
+                let [[ax, ay], [bx, by]] = [pair[0].point.map(f64_of), pair[1].point.map(f64_of)];
+                let (dx, dy) = (bx - ax, by - ay);
+                let along = ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy).max(1e-300);
+                let along = along.clamp(0.0, 1.0);
+                (x - ax - along * dx).hypot(y - ay - along * dy)
+            });
+        let distance = nearest.fold(f64::MAX, f64::min);
+        prop_assert!(distance <= tolerance * 1.0001 + 2.0 * S::ulp(10.0), "{}", distance);
+        let lengths: Vec<_> = curve.lengths(S::of(tolerance)).unwrap().take(100_000).collect();
+        prop_assert_eq!(lengths.len(), vertices.len());
+        prop_assert!(lengths.windows(2).all(|pair| pair[0].1 <= pair[1].1));
+        Ok(())
+    });
+}
+
+#[test]
+fn polylines_keep_to_their_tolerance() {
+    flat::<f32, 2>(0.01);
+    flat::<f32, 3>(0.1);
+    flat::<f32, 4>(0.001);
+    flat::<f64, 4>(0.01);
+    flat::<I16F16, 4>(0.01);
+}
+
+/// Periodic knots repeat, so the derivatives of a closed curve agree at its ends.
+#[test]
+fn closed_curves_close() {
+    let knots = Knots::<f32, 4, 12>::periodic(&[0.0, 1.0, 3.0, 3.5, 5.0, 6.0]).unwrap();
+    let expected = [-3.0, -2.5, -1.0, 0.0, 1.0, 3.0, 3.5, 5.0, 6.0, 7.0, 9.0, 9.5];
+    assert_eq!(knots.as_slice(), expected);
+    let points = [[0.0, 0.0], [2.0, 0.0], [3.0, 2.0], [1.0, 3.0], [-1.0, 1.0]];
+    let curve = Curve::<[f32; 2], 4, 8, 12>::closed(knots, &points).unwrap();
+    for order in 0..3 {
+        let [a, b] = [0.0, 6.0].map(|t| curve.derivative(order, t, Outside::Error).unwrap());
+        assert!((a[0] - b[0]).abs() < 1e-5 && (a[1] - b[1]).abs() < 1e-5, "{a:?} {b:?}");
+    }
+    let wrapped = curve.value(13.25, Outside::Wrap).unwrap();
+    assert_eq!(wrapped, curve.value(1.25, Outside::Error).unwrap());
+    assert_eq!(curve.value(-4.75, Outside::Wrap).unwrap(), wrapped);
+}
