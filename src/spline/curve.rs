@@ -256,7 +256,7 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
         outside: Outside,
     ) -> Result<Inner<P>, EvaluateError> {
         let t = self.domain().place(t, outside)?;
-        let point = de_boor::<P, K>(self.knots.as_slice(), self.points(), order, t);
+        let point = de_boor(self, order, t);
         let is_finite = |x: &_| P::Scalar::outer(*x).is_finite();
         if (order > 0 || matches!(outside, Outside::Extrapolate))
             && !point.as_ref().iter().all(is_finite)
@@ -282,35 +282,20 @@ impl<S: Blend, const K: usize, const C: usize, const N: usize> Curve<Vec3<S>, K,
     }
 }
 
-/// The index j of the span of the domain that t is in or nearest to; of those that aren't empty.
-#[inline]
-pub(super) fn span_of_domain<S: Blend, const K: usize>(knots: &[S], t: S) -> Option<usize> {
-    // Between the domain's ends t_{k−1} and t_n.
-    let inside = knots.get(K..knots.len().checked_sub(K)?)?;
-    let end = *knots.get(knots.len() - K)?;
-    let before = if t < end {
-        inside.partition_point(|&knot| knot <= t)
-    } else {
-        inside.partition_point(|&knot| knot < end)
-    };
-    Some(K - 1 + before)
-}
-
 /// De Boor's triangle: `order` levels of differences, then blends.
 #[inline]
-pub(super) fn de_boor<P: Point, const K: usize>(
-    knots: &[P::Scalar],
-    points: &[P],
+fn de_boor<P: Point, const K: usize, const C: usize, const N: usize>(
+    curve: &Curve<P, K, C, N>,
     order: usize,
     t: P::Scalar,
 ) -> Inner<P> {
     // A constructed curve has a span for every parameter.
-    span_of_domain::<_, K>(knots, t)
-        .and_then(|span| on_span::<P, K>(knots, points, span, order, t))
+    let span = curve.knots.span_of_domain(t);
+    on_span::<P, K>(&curve.knots.knots, &curve.points, span, order, t)
         .unwrap_or_else(|| inner(P::ORIGIN))
 }
 
-/// As [`de_boor`], with the polynomial of a given span.
+/// As `de_boor`, with the polynomial of a given span.
 #[inline]
 pub(super) fn on_span<P: Point, const K: usize>(
     knots: &[P::Scalar],

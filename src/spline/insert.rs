@@ -5,7 +5,6 @@ use super::curve::Curve;
 use super::domain::Outside;
 use super::point::{Point, combine, inner, outer};
 use super::{EvaluateError, blend::Blend};
-use crate::scalar::Number;
 
 impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N> {
     /// Inserts a knot and with it a control point; the curve stays as it is, but for the rounding
@@ -68,11 +67,11 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
                 (None, None) => P::ORIGIN,
             };
         }
-        let zero = P::Scalar::ZERO;
         let mut new_knots = self.knots.knots;
         for (i, new) in new_knots.iter_mut().enumerate().skip(place) {
-            let before = i.checked_sub(1).filter(|_| i > place).and_then(|i| knots.get(i));
-            *new = before.copied().unwrap_or(if i == place { knot } else { zero });
+            // What is behind the last knot repeats it, and goes on doing so.
+            let before = i.checked_sub(1).filter(|_| i > place);
+            *new = before.and_then(|i| self.knots.knots.get(i)).copied().unwrap_or(knot);
         }
         self.knots.knots = new_knots;
         self.knots.length += 1;

@@ -12,7 +12,7 @@ use crate::scalar::{Check, FixedI32, Fraction, Scalar};
 #[derive(Debug, Clone, Copy)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Knots<S: Scalar, const K: usize, const N: usize> {
-    /// The knots, and behind them zeros.
+    /// The knots, and behind them the last one again.
     pub(super) knots: [S; N],
     pub(super) length: usize,
 }
@@ -260,7 +260,10 @@ macro_rules! constructors {
                 Self::checked(knots, length + 2 * (K - 1))
             }
 
-            pub(super) const fn checked(knots: [$Scalar; N], length: usize) -> Result<Self, KnotError> {
+            const fn checked(
+                mut knots: [$Scalar; N],
+                length: usize,
+            ) -> Result<Self, KnotError> {
                 const { assert!(K >= 1 && K <= 32 && N > K) };
                 if length <= K {
                     return Err(KnotError::TooFew);
@@ -285,6 +288,12 @@ macro_rules! constructors {
                     && !Check::<$Scalar>::is_in_range_of_knots(knots[0], knots[length - 1])
                 {
                     return Err(KnotError::TooFar);
+                }
+                // What isn't used is not below any parameter but the last, so a search needs no
+                // length.
+                while i < N && i > 0 {
+                    knots[i] = knots[i - 1];
+                    i += 1;
                 }
                 Ok(Self { knots, length })
             }
@@ -355,6 +364,25 @@ impl<S: Blend, const K: usize, const N: usize> Knots<S, K, N> {
     #[must_use]
     pub fn span(&self, t: S) -> Option<usize> {
         span(self.as_slice(), t)
+    }
+}
+
+impl<S: Blend, const K: usize, const N: usize> Knots<S, K, N> {
+    /// The index j of the span of the domain that t is in or nearest to, of those that aren't
+    /// empty.
+    #[inline]
+    pub(super) fn span_of_domain(&self, t: S) -> usize {
+        let Some(&end) = self.knots.get(self.points()) else { return K - 1 };
+        // Between the domain's ends t_{k−1} and t_n, and what is not used.
+        let inside = self.knots.get(K..N.saturating_sub(K)).unwrap_or_default();
+        let is_before = |knot: &S| (*knot <= t) & (*knot < end);
+        // A few comparisons without a jump are faster than a search.
+        let before = if N - K <= K + 16 {
+            inside.iter().map(|knot| usize::from(is_before(knot))).sum()
+        } else {
+            inside.partition_point(is_before)
+        };
+        K - 1 + before
     }
 }
 

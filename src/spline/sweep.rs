@@ -128,10 +128,8 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
             let mut before: Option<P::Array<Quotient>> = None;
             for (i, value) in self.differences.iter_mut().enumerate() {
                 let own = *value;
-                if i >= level {
-                    if let Some(before) = before {
-                        subtract::<P>(value, before, self.divisor);
-                    }
+                if let Some(before) = before.filter(|_| i >= level) {
+                    subtract::<P>(value, before, self.divisor);
                 }
                 before = Some(own);
             }

@@ -2,7 +2,7 @@
 
 use scancsg::constant;
 use scancsg::geom::{Vec3, vec3};
-use scancsg::scalar::{I16F16, Number};
+use scancsg::scalar::I16F16;
 use scancsg::spline::{
     Baked, Curve, CurveError, EvaluateError, FlattenError, InsertError, KnotError, Knots, Outside,
 };
