@@ -15,9 +15,10 @@ use crate::scalar::{Check, FixedI32, Fraction, Number};
 /// is not empty: [`Knots::spans`](super::Knots::spans) counts them.
 ///
 /// A value is a search for the span and Horner's rule about the span's middle. In `f32`, cubics
-/// are within 3.1 units in the last place of the largest coordinate of the control points; in fixed
-/// point within 0.6 units, in products of 32 bits. Baking is done in `f64`; in a constant, that
-/// costs nothing.
+/// are within 3.1 units in the last place of the largest coordinate of the control points (5 where
+/// control points at a clamped end alternate at full size, and 3.1 again with two polynomials to a
+/// span); in fixed point within 0.6 units, in products of 32 bits. Baking is done in `f64`; in a
+/// constant, that costs nothing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Baked<P: Point, const K: usize, const SPANS: usize> {
     pieces: [Piece<P, K>; SPANS],

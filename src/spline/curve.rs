@@ -234,7 +234,9 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
     /// zero. At a knot where it jumps it is that of the span behind, at the end of the domain that of
     /// the span in front.
     ///
-    /// In fixed point a derivative beyond the range of the number type is the end of the range.
+    /// In fixed point a derivative beyond the range of the number type is the end of the range; it
+    /// is accurate where the derivative's control points, that is differences of control points
+    /// times the degree over differences of knots, are within 16 times the range.
     ///
     /// # Errors
     /// As [`value`](Self::value), and [`EvaluateError::Overflow`] for a derivative too large for a

@@ -188,6 +188,9 @@ fn clamped_ends_are_exact() {
 /// Derivatives of curves against exact ones, as a share of the sum of their terms.
 fn derivatives<S: Numeric, const K: usize>(limit: f64) {
     curves::<S, K>(0.0, 10.0, |curve, Rounded { t, knots, points }| {
+        let widths = knots.windows(2).map(|pair| f64_of(pair[1]) - f64_of(pair[0]));
+        // Differences are up to 20 and degrees up to 4.
+        let steepest = 80.0 / widths.filter(|&width| width > 0.0).fold(1.0, f64::min);
         let knots = ratios(&knots);
         for order in 1..=K {
             let got = curve.derivative(order, t, Outside::Error).unwrap();
@@ -203,8 +206,8 @@ fn derivatives<S: Numeric, const K: usize>(limit: f64) {
                     let (_, size) = exact::basis(&knots, at, K, j, &t.ratio(), order);
                     &sum + &(&size * &lane[j].abs())
                 });
-                if S::ulp(1e30) < 1.0 && size > Ratio::whole(30_000) {
-                    continue;
+                if S::ulp(1e30) < 1.0 && steepest.powi(order as i32) > 500_000.0 {
+                    continue; // derivatives' control points out of range in fixed point
                 }
                 let error = error(got, &exact, size.to_f64());
                 prop_assert!(error <= limit, "order {order}: {error}");
