@@ -21,7 +21,7 @@ pub struct Mixed {
 
 impl Mixed {
     /// `numerator / denominator`, cut off, for |numerator| ≤ 2³² and 0 < denominator < 2³².
-    #[inline]
+    #[inline(never)] // long divisions are slow and large anyway
     fn new(numerator: i64, denominator: i64) -> Self {
         let Some(whole) = numerator.checked_div_euclid(denominator) else {
             return Self { whole: 0, fraction: 0 };
@@ -141,6 +141,7 @@ impl<F: Fraction> Blend for FixedI32<F> {
         Self::outer(weight)
     }
 
+    #[inline(never)]
     fn slope(x: i64, degree: u16, low: Self, high: Self) -> i64 {
         let width = width(low, high);
         if width == 0 {

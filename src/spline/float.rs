@@ -23,11 +23,13 @@ pub struct Weight<S>(Double<S>);
 
 impl<S: Float> Weight<S> {
     /// `self·part/whole`; 0 for a whole of 0.
+    #[inline(never)] // inlined, it makes five times the code
     fn share(self, part: Double<S>, whole: Double<S>) -> Self {
         Self(self.0.times(quotient(part, whole)))
     }
 
     /// `self·degree/width`, with a size up to `most`; 0 for a width of 0.
+    #[inline(never)]
     fn climb(self, degree: S, width: Double<S>, most: S) -> Self {
         let product = self.0.times(Double::from(degree));
         let Double { high, low } = quotient(product, width);
