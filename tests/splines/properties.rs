@@ -1,10 +1,9 @@
 //! What holds for all splines.
 
-use super::curves::{KNOTS, POINTS, Rounded, case, config, lane, largest, ratios};
+use super::curves::{KNOTS, POINTS, Rounded, case, lane, largest, ratios, runner};
 use super::exact::{self, Ratio};
 use super::number::{Numeric, error};
 use proptest::prelude::*;
-use proptest::test_runner::TestRunner;
 use scancsg::scalar::I16F16;
 use scancsg::spline::{Curve, Knots, Outside};
 
@@ -16,7 +15,7 @@ fn curves<S: Numeric, const K: usize>(
     size: f64,
     holds: impl Fn(Made<S, K>, Rounded<S>) -> Result<(), TestCaseError>,
 ) {
-    TestRunner::new(config())
+    runner()
         .run(&case(K, offset, size), |case| {
             let rounded = case.rounded::<S>(K);
             let made = S::knots::<K, KNOTS>(&rounded.knots)
