@@ -113,11 +113,13 @@ fn a_cut_line_saves_what_arrived_and_names_the_rest() {
 
 #[test]
 fn several_frames_are_an_animation() {
-    let out = scratch("turn.png");
-    let arguments =
-        ["--frames", "3", "--size", "48x36", "--shade", "xray", "--out", out.to_str().unwrap()];
-    assert!(stream(&arguments).status.success());
-    assert_eq!(read_png(&out).frames, 3);
+    for (path, number) in [("turn", "f32"), ("orbit", "f64"), ("orbit", "i16f16")] {
+        let out = scratch(&format!("{path}-{number}.png"));
+        let arguments = ["--frames", "3", "--size", "48x36", "--shade", "xray", "--path", path];
+        let rest = ["--number", number, "--out", out.to_str().unwrap()];
+        assert!(stream(&[&arguments[..], &rest[..]].concat()).status.success());
+        assert_eq!(read_png(&out).frames, 3);
+    }
 }
 
 #[test]
@@ -145,9 +147,10 @@ fn wrong_arguments_say_what_is_wrong() {
 fn help_names_every_option() {
     let output = stream(&["--help"]);
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    for option in
-        ["--out", "--size", "--format", "--shade", "--camera", "--frames", "--port", "--baud"]
-    {
+    for option in [
+        "--out", "--size", "--format", "--shade", "--camera", "--number", "--frames", "--path",
+        "--port", "--baud",
+    ] {
         assert!(text.contains(option), "{option}");
     }
 }

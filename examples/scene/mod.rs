@@ -8,12 +8,16 @@ use scancsg::geom::{Vec3, vec3};
 use scancsg::render::{CameraError, Orthographic, Perspective};
 use scancsg::scalar::I16F16;
 use scancsg::solid::{Cylinder, Difference, Intersect, Painted, Rgb};
+use scancsg::spline::{Curve, EvaluateError, Knots, Outside};
 
 /// What there is of it, minus what is drilled out.
 pub type Tee<S> = Difference<[Cylinder<S>; 4], [Cylinder<S>; 6]>;
 
 /// The same in two colours: the outside and the drilled faces.
 pub type PaintedTee<S> = Difference<Painted<[Cylinder<S>; 4]>, Painted<[Cylinder<S>; 6]>>;
+
+/// The time of a whole way around the part.
+pub const LAP: f64 = 8.0;
 
 /// What a user who chooses the number type by a type parameter asks for. The modules below have
 /// the same by number type.
@@ -32,6 +36,15 @@ pub trait Scene: Intersect {
 
     /// The camera with perspective.
     fn perspective() -> Result<Perspective<Self>, CameraError>;
+
+    /// Where the camera is on its way around the part, at a time from 0 to [`LAP`].
+    fn eye(time: Self) -> Result<Vec3<Self>, EvaluateError>;
+
+    /// The camera without perspective, from somewhere else.
+    fn orthographic_from(eye: Vec3<Self>) -> Result<Orthographic<Self>, CameraError>;
+
+    /// The camera with perspective, from somewhere else.
+    fn perspective_from(eye: Vec3<Self>) -> Result<Perspective<Self>, CameraError>;
 
     /// The number nearest to this many hundredths.
     fn hundredths(count: i32) -> Self;
@@ -80,18 +93,46 @@ macro_rules! tee {
 
             /// The camera of every measurement: 4.4 units of frame height, from the upper right.
             pub fn orthographic() -> Result<Orthographic<Scalar>, CameraError> {
-                Orthographic::look_along(VIEW, Vec3::ZERO, UP, n(440))
+                Orthographic::look_along(VIEW, Vec3::ZERO, UP, FRAME_HEIGHT)
             }
 
             /// The same direction from a distance of 10 units, with 5 units of frame height at the
             /// part's middle.
             pub fn perspective() -> Result<Perspective<Scalar>, CameraError> {
-                // 2·atan(2.5/10).
-                Perspective::look_at(VIEW * n(-1000), Vec3::ZERO, UP, fine(48_995_730))
+                Perspective::look_at(VIEW * n(-1000), Vec3::ZERO, UP, FIELD_OF_VIEW)
             }
 
             const VIEW: Vec3<Scalar> = vec3(fine(-51_961_524), n(-50), fine(-69_282_032));
-            const UP: Vec3<Scalar> = vec3(n(0), n(100), n(0));
+            pub(super) const FRAME_HEIGHT: Scalar = n(440);
+            // 2·atan(2.5/10).
+            pub(super) const FIELD_OF_VIEW: Scalar = fine(48_995_730);
+
+            /// A way around the part, and over it: a closed curve, a cubic B-spline.
+            pub(super) const ORBIT: Curve<Vec3<Scalar>, 4, 11, 15> =
+                constant!(Curve::<Vec3<Scalar>, 4, 11, 15>::closed(LAPS, &ORBIT_POINTS));
+            const LAPS: Knots<Scalar, 4, 15> = constant!(Knots::<Scalar, 4, 15>::periodic(&[
+                n(0),
+                n(100),
+                n(200),
+                n(300),
+                n(400),
+                n(500),
+                n(600),
+                n(700),
+                n(800),
+            ]));
+            const ORBIT_POINTS: [Vec3<Scalar>; 8] = [
+                vec3(n(660), n(640), n(880)),
+                vec3(n(-160), n(900), n(1090)),
+                vec3(n(-880), n(500), n(660)),
+                vec3(n(-1090), n(100), n(-160)),
+                vec3(n(-660), n(-300), n(-880)),
+                vec3(n(160), n(0), n(-1090)),
+                vec3(n(880), n(200), n(-660)),
+                vec3(n(1090), n(400), n(160)),
+            ];
+
+            pub(super) const UP: Vec3<Scalar> = vec3(n(0), n(100), n(0));
 
             /// Towards the light: from above, in front of the branch.
             pub const TO_LIGHT: Vec3<Scalar> = vec3(n(25), n(85), n(45));
@@ -109,6 +150,18 @@ macro_rules! tee {
 
             fn perspective() -> Result<Perspective<Self>, CameraError> {
                 $module::perspective()
+            }
+
+            fn eye(time: Self) -> Result<Vec3<Self>, EvaluateError> {
+                $module::ORBIT.value(time, Outside::Wrap)
+            }
+
+            fn orthographic_from(eye: Vec3<Self>) -> Result<Orthographic<Self>, CameraError> {
+                Orthographic::look_at(eye, Vec3::ZERO, $module::UP, $module::FRAME_HEIGHT)
+            }
+
+            fn perspective_from(eye: Vec3<Self>) -> Result<Perspective<Self>, CameraError> {
+                Perspective::look_at(eye, Vec3::ZERO, $module::UP, $module::FIELD_OF_VIEW)
             }
 
             fn hundredths(count: i32) -> Self {

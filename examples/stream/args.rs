@@ -36,10 +36,14 @@ pub struct Args {
     #[arg(long, value_enum, default_value_t = Number::F32)]
     pub number: Number,
 
-    /// How many frames; the part turns about y once in all of them together
+    /// How many frames; all of them together are one turn
     #[arg(long, value_name = "N", default_value_t = 1,
           value_parser = clap::value_parser!(u16).range(1..=3600))]
     pub frames: u16,
+
+    /// What moves from frame to frame: the part about y, or the camera along a spline around it
+    #[arg(long, value_enum, default_value_t = Path::Turn)]
+    pub path: Path,
 
     /// Send to this serial device instead of to this computer itself
     #[arg(long, value_name = "DEVICE")]
@@ -75,6 +79,12 @@ pub enum Shade {
 pub enum Camera {
     Ortho,
     Persp,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Path {
+    Turn,
+    Orbit,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -1,12 +1,12 @@
 //! The host: chooses what is rendered, gives it a line, and looks at what comes out.
 
-use crate::args::{Args, Camera, Format, Number, Shade};
+use crate::args::{Args, Camera, Format, Number, Path, Shade};
 use crate::device::{self, Delivery, DeviceError, Line};
 use crate::host::image::write_png;
 use crate::host::port::{self, Faults, Port, Wire};
 use crate::host::receive::{CAPACITY, Ending, Frame, Session};
 use crate::host::terminal::Display;
-use crate::scene::{Scene, Tee};
+use crate::scene::{LAP, Scene, Tee};
 use clap::Parser;
 use scancsg::geom::{Parallel, Pencil, Pose, Rays};
 use scancsg::render::{Depth, Gray8, Lambert, Picture, Pixel, Rgb565, Shader, Size, XRay};
@@ -191,24 +191,24 @@ fn send(args: &Args, line: HostLine, sent: &mut dyn FnMut(u16)) -> Result<Sent, 
 
 /// A number type that the example can be asked for.
 trait Choice: Scene {
-    fn angle(radians: f64) -> Self;
+    fn nearest(number: f64) -> Self;
 }
 
 impl Choice for f32 {
-    fn angle(radians: f64) -> Self {
-        radians as Self
+    fn nearest(number: f64) -> Self {
+        number as Self
     }
 }
 
 impl Choice for f64 {
-    fn angle(radians: f64) -> Self {
-        radians
+    fn nearest(number: f64) -> Self {
+        number
     }
 }
 
 impl Choice for I16F16 {
-    fn angle(radians: f64) -> Self {
-        Self::saturating_from_num(radians)
+    fn nearest(number: f64) -> Self {
+        Self::saturating_from_num(number)
     }
 }
 
@@ -277,15 +277,26 @@ where
     H: Shader<S> + Copy,
     P: Pixel,
 {
+    // Where the camera is in a frame, unless it stays where it is.
+    let eye = |frame: u16| match args.path {
+        Path::Turn => Ok(None),
+        Path::Orbit => {
+            let time = S::nearest(LAP * f64::from(frame) / f64::from(args.frames));
+            S::eye(time).map(Some).map_err(|error| error.to_string())
+        }
+    };
     let text = |error: scancsg::render::CameraError| error.to_string();
     match args.camera {
         Camera::Ortho => {
-            let camera = S::orthographic().map_err(text)?;
-            send_frames(args, line, sent, part, &camera, shader, background)
+            let camera = |frame| {
+                eye(frame)?.map_or_else(S::orthographic, S::orthographic_from).map_err(text)
+            };
+            send_frames(args, line, sent, part, camera, shader, background)
         }
         Camera::Persp => {
-            let camera = S::perspective().map_err(text)?;
-            send_frames(args, line, sent, part, &camera, shader, background)
+            let camera =
+                |frame| eye(frame)?.map_or_else(S::perspective, S::perspective_from).map_err(text);
+            send_frames(args, line, sent, part, camera, shader, background)
         }
     }
 }
@@ -295,7 +306,7 @@ fn send_frames<S, T, C, H, P>(
     line: HostLine,
     sent: &mut dyn FnMut(u16),
     part: &T,
-    camera: &C,
+    camera: impl Fn(u16) -> Result<C, String>,
     shader: H,
     background: P,
 ) -> Result<Sent, String>
@@ -312,9 +323,12 @@ where
     let mut pixels = vec![background; usize::from(size.width())];
     let mut unheard = 0;
     for frame in 0..args.frames {
-        let angle = S::angle(TAU * f64::from(frame) / f64::from(args.frames));
-        let turned = Placed::new(part, Pose::rotation_y(angle));
-        let picture = Picture::new(&turned, camera, size, shader, background);
+        let turns = match args.path {
+            Path::Turn => f64::from(frame) / f64::from(args.frames),
+            Path::Orbit => 0.0,
+        };
+        let turned = Placed::new(part, Pose::rotation_y(S::nearest(TAU * turns)));
+        let picture = Picture::new(&turned, &camera(frame)?, size, shader, background);
         let delivery = device::send_frame(&picture, frame, &mut sender, &mut spans, &mut pixels)
             .map_err(|error| describe_error(&error))?;
         unheard += u32::from(delivery == Delivery::Unheard);
