@@ -88,7 +88,11 @@ impl Machine {
     }
 
     fn said(&mut self) -> String {
-        self.console.take().and_then(|console| console.join().ok()).unwrap_or_default()
+        let text = self.console.take().and_then(|console| console.join().ok()).unwrap_or_default();
+        // The emulator's own word that it waits for the other end of the line.
+        text.lines()
+            .filter(|line| !line.contains("QEMU waiting"))
+            .fold(String::new(), |all, line| all + line + "\n")
     }
 
     /// Waits for the firmware to end; what it said, and whether it was content.

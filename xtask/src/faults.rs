@@ -2,6 +2,7 @@
 
 use crate::board::Board;
 use crate::boot::Machine;
+use crate::host::port::Port;
 use crate::host::receive::{Ending, Session};
 use crate::toolchain;
 use std::io::{self, Read, Write};
@@ -14,8 +15,11 @@ type Fault = fn(Board, &Path) -> Result<(), String>;
 /// Does everything to one board's firmware.
 pub fn check(board: Board, number: crate::board::Number) -> Result<(), String> {
     let elf = toolchain::find(board.target())?.build(board, number, "stream")?;
-    let faults: [(&str, Fault); 2] =
-        [("garbage before every answer", garbage), ("reset in the middle of a frame", reset)];
+    let faults: [(&str, Fault); 3] = [
+        ("garbage before every answer", garbage),
+        ("reset in the middle of a frame", reset),
+        ("nobody reads for a while", late),
+    ];
     for (what, fault) in faults {
         fault(board, &elf).map_err(|problem| format!("{board}, {what}: {problem}"))?;
         println!("{board}, {what}: as it should be");
@@ -26,7 +30,12 @@ pub fn check(board: Board, number: crate::board::Number) -> Result<(), String> {
 /// The firmware must pass over what isn't a packet, and find the acknowledgement behind it.
 fn garbage(board: Board, elf: &Path) -> Result<(), String> {
     let (machine, line) = Machine::start(board, elf)?;
-    let mut session = Session::new(Box::new(Noisy(line)));
+    receive(machine, Noisy(line))
+}
+
+/// Gets a frame whole, and makes sure that the board knows it.
+fn receive(machine: Machine, line: impl Port + 'static) -> Result<(), String> {
+    let mut session = Session::new(Box::new(line));
     let frame = session.frame(Duration::from_secs(60), |_, _| {})?.ok_or("no frame came")?;
     let (said, is_good) = machine.finish(Duration::from_secs(30));
     match frame.problem(0) {
@@ -107,4 +116,12 @@ impl Write for Resetting {
     fn flush(&mut self) -> io::Result<()> {
         self.line.flush()
     }
+}
+
+/// The emulated serial port holds bytes back until somebody reads: the firmware waits, loses
+/// nothing, and goes on. (A real one without flow control loses them, and rows are asked for again.)
+fn late(board: Board, elf: &Path) -> Result<(), String> {
+    let (machine, line) = Machine::start(board, elf)?;
+    std::thread::sleep(Duration::from_secs(4));
+    receive(machine, line)
 }

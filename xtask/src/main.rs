@@ -31,7 +31,7 @@ enum Chore {
     /// compare it with the host's
     Boards(Boards),
 
-    /// Do to a board's firmware what goes wrong on serial lines: garbage, a reset
+    /// Do to a board's firmware what goes wrong on serial lines: garbage, a reset, nobody there
     Faults {
         /// The board
         #[arg(long, default_value = "microbit")]
