@@ -96,12 +96,24 @@ impl Machine {
     }
 
     /// Waits for the firmware to end; what it said, and whether it was content.
-    pub fn finish(mut self, patience: Duration) -> (String, bool) {
+    pub fn finish(self, patience: Duration) -> (String, bool) {
+        self.finish_after(patience, || thread::sleep(Duration::from_millis(10)))
+    }
+
+    /// As [`finish`](Self::finish), while its frames are received: a board that heard the
+    /// acknowledgement of the first one too late sends a second.
+    pub fn finish_receiving(self, patience: Duration, session: &mut Session) -> (String, bool) {
+        self.finish_after(patience, || {
+            let _ = session.frame(Duration::from_millis(300), |_, _| {});
+        })
+    }
+
+    fn finish_after(mut self, patience: Duration, mut meanwhile: impl FnMut()) -> (String, bool) {
         let deadline = Instant::now() + patience;
         let is_good = loop {
             match self.emulator.try_wait() {
                 Ok(Some(status)) => break status.success(),
-                Ok(None) if Instant::now() < deadline => thread::sleep(Duration::from_millis(10)),
+                Ok(None) if Instant::now() < deadline => meanwhile(),
                 _ => break false,
             }
         };
@@ -141,7 +153,7 @@ fn receive(
         }
     })?;
     let traffic = session.traffic();
-    let (said, is_good) = machine.finish(Duration::from_secs(20));
+    let (said, is_good) = machine.finish_receiving(Duration::from_secs(60), &mut session);
     let frame = frame.ok_or_else(|| format!("{board} sent no frame\n{said}"))?;
     Ok((frame, traffic, said, is_good))
 }

@@ -37,7 +37,7 @@ fn garbage(board: Board, elf: &Path) -> Result<(), String> {
 fn receive(machine: Machine, line: impl Port + 'static) -> Result<(), String> {
     let mut session = Session::new(Box::new(line));
     let frame = session.frame(Duration::from_secs(60), |_, _| {})?.ok_or("no frame came")?;
-    let (said, is_good) = machine.finish(Duration::from_secs(30));
+    let (said, is_good) = machine.finish_receiving(Duration::from_secs(60), &mut session);
     match frame.problem(0) {
         None if is_good => Ok(()),
         None => Err(format!("the acknowledgement was not understood: {said}")),
