@@ -11,7 +11,7 @@ use scancsg::constant;
 use scancsg::geom::{Line, Parallel, Pencil, Ray, Vec3};
 use scancsg::render::{Camera, Gray8, Lambert, Picture, PixelFormat, Size};
 use scancsg::scalar::I16F16;
-use scancsg::solid::{Project, Shape, Solid};
+use scancsg::solid::{Blank, Project, Shape, Solid};
 use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
 use scancsg::spline::{Baked, Curve, Knots, Outside};
 use scancsg::stream::{Decoder, encode_row, packet_capacity};
@@ -82,7 +82,9 @@ where
     let rays = S::orthographic().unwrap().rays(Size::new(SIZE.0, SIZE.1).unwrap());
     let tee = S::TEE;
     bencher.bench_local(|| {
-        black_box(tee.view(black_box(&rays)));
+        let mut view = <Tee<S> as Project<Parallel<S>>>::View::BLANK;
+        tee.view(black_box(&rays), &mut view);
+        black_box(view);
     });
 }
 
@@ -100,10 +102,9 @@ where
     let size = Size::new(SIZE.0, SIZE.1).unwrap();
     let tee = S::TEE;
     let picture = Picture::new(&tee, &camera, size, light::<S>(), Gray8(0));
-    let mut list = SpanList::<S, SPANS>::new();
     let mut pixels = [Gray8(0); SIZE.0 as usize];
     bencher.counter(ItemsCount::new(SIZE.0)).bench_local(|| {
-        picture.scanline(black_box(60)).and_then(|row| row.render(&mut list, &mut pixels))
+        picture.scanline(black_box(60)).and_then(|mut row| row.render(&mut pixels))
     });
 }
 
@@ -115,14 +116,13 @@ where
 {
     let size = Size::new(SIZE.0, SIZE.1).unwrap();
     let tee = S::TEE;
-    let mut list = SpanList::<S, SPANS>::new();
     let mut pixels = [Gray8(0); SIZE.0 as usize];
     let bencher = bencher.counter(ItemsCount::new(u32::from(SIZE.0) * u32::from(SIZE.1)));
     macro_rules! frames {
         ($camera:expr) => {
             bencher.bench_local(|| {
                 let picture = Picture::new(&tee, black_box(&$camera), size, light::<S>(), Gray8(0));
-                picture.scanlines().try_for_each(|row| row.render(&mut list, &mut pixels))
+                picture.scanlines().try_for_each(|mut row| row.render(&mut pixels))
             })
         };
     }
@@ -140,7 +140,7 @@ fn packet(bencher: Bencher<'_, '_>, which: &str) {
     let size = Size::new(SIZE.0, SIZE.1).unwrap();
     let picture = Picture::new(&scene::f32::TEE, &camera, size, light, Gray8(0));
     let mut pixels = [Gray8(0); SIZE.0 as usize];
-    picture.scanline(60).unwrap().render(&mut SpanList::<f32, SPANS>::new(), &mut pixels).unwrap();
+    picture.scanline(60).unwrap().render(&mut pixels).unwrap();
     let mut packet = [0; PACKET];
     let length = encode_row(0, 60, &pixels, &mut packet).unwrap();
     let bencher = bencher.counter(ItemsCount::new(SIZE.0));

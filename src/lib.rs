@@ -8,8 +8,7 @@
 //! ```
 //! use scancsg::geom::vec3;
 //! use scancsg::render::{Gray8, Lambert, Orthographic, Picture, Size};
-//! use scancsg::solid::{Cylinder, Shape, Sphere};
-//! use scancsg::span::SpanList;
+//! use scancsg::solid::{Cylinder, Sphere};
 //!
 //! // A ball with a hole through it.
 //! let ball = Sphere::<f32>::new(vec3(0.0, 0.0, 0.0), 1.0)?;
@@ -24,11 +23,10 @@
 //! let light = Lambert::new(vec3(-1.0, 2.0, 1.0), 0.2)?;
 //! let picture = Picture::new(&bead, &camera, Size::new(12, 12)?, light, Gray8(0));
 //!
-//! let mut spans = SpanList::<_, 4>::new();
 //! let mut row = [Gray8(0); 12];
 //! let mut art = Vec::new();
-//! for scanline in picture.scanlines() {
-//!     scanline.render(&mut spans, &mut row)?;
+//! for mut scanline in picture.scanlines() {
+//!     scanline.render(&mut row)?;
 //!     let dots = row.iter().map(|pixel| char::from(b".:-=+*#%@"[usize::from(pixel.0) / 30]));
 //!     art.push(dots.collect::<String>());
 //! }

@@ -65,21 +65,22 @@ fn rows_that_are_not_there_and_slices_that_do_not_fit() {
     for y in [5, 6, u16::MAX] {
         assert_eq!(picture.scanline(y).err(), Some(RowError::Index), "{y}");
     }
-    let mut list = SpanList::<f32, { Part::STACK }>::new();
-    for scanline in (0..5).map(|y| picture.scanline(y).unwrap()) {
+    for mut scanline in (0..5).map(|y| picture.scanline(y).unwrap()) {
         for length in [0, 1, 6, 8, 100] {
             let mut pixels = vec![Gray8(99); length];
-            assert_eq!(scanline.render(&mut list, &mut pixels), Err(RowError::Length));
+            assert_eq!(scanline.render(&mut pixels), Err(RowError::Length));
             assert!(pixels.iter().all(|&pixel| pixel == Gray8(99)), "{length} were written to");
         }
         let mut pixels = [Gray8(99); 7];
-        assert_eq!(scanline.render(&mut list, &mut pixels), Ok(()));
+        assert_eq!(scanline.render(&mut pixels), Ok(()));
         assert!(pixels.iter().all(|&pixel| pixel != Gray8(99)));
 
-        for run in scanline.runs() {
+        let mut start = 0;
+        while let Some(run) = scanline.run(start) {
+            start = run.columns.end;
             for length in [0, run.columns.len() - 1, run.columns.len() + 1] {
                 let mut pixels = vec![Gray8(99); length];
-                let result = scanline.render_run(&run, &mut list, &mut pixels);
+                let result = scanline.render_run(&run, &mut pixels);
                 assert_eq!(result, Err(RowError::Length));
                 assert!(pixels.iter().all(|&pixel| pixel == Gray8(99)), "{length} were written to");
             }
@@ -94,11 +95,11 @@ fn a_run_from_elsewhere() {
         Orthographic::look_along(vec3(0.0f32, 0.0, -1.0), Vec3::ZERO, vec3(0.0, 1.0, 0.0), 6.0);
     let shader = XRay::new(1.0).unwrap();
     let picture = Picture::new(&PART, &camera.unwrap(), SIZE, shader, Gray8(17));
-    let scanline = picture.scanline(2).unwrap();
+    let mut scanline = picture.scanline(2).unwrap();
     let mut list = SpanList::<f32, { Part::STACK }>::new();
     let beyond = Run { columns: 65_530..u16::MAX, is_background: false };
     let mut pixels = [Gray8(99); 5];
-    assert_eq!(scanline.render_run(&beyond, &mut list, &mut pixels), Err(RowError::Index));
+    assert_eq!(scanline.render_run(&beyond, &mut pixels), Err(RowError::Index));
     assert_eq!(pixels, [Gray8(99); 5]);
     assert!(scanline.spans(u16::MAX, &mut list).is_empty());
 }

@@ -7,7 +7,6 @@
 mod scene;
 
 use scancsg::render::{Gray8, Lambert, Picture, PixelFormat, Size};
-use scancsg::span::SpanList;
 use scancsg::stream::{
     CONTROL_CAPACITY, Decoder, FrameHeader, Receiver, Sender, encode_ack, packet_capacity,
 };
@@ -57,11 +56,10 @@ fn rendered(width: u16, height: u16) -> Vec<Gray8> {
     let light = Lambert::new(scene::f32::TO_LIGHT, 0.15).unwrap();
     let size = Size::new(width, height).unwrap();
     let picture = Picture::new(&scene::f32::TEE, &camera, size, light, Gray8(0));
-    let mut spans = SpanList::<f32, 20>::new();
     let mut row = vec![Gray8(0); usize::from(width)];
     let mut pixels = Vec::new();
-    for scanline in picture.scanlines() {
-        scanline.render(&mut spans, &mut row).unwrap();
+    for mut scanline in picture.scanlines() {
+        scanline.render(&mut row).unwrap();
         pixels.extend_from_slice(&row);
     }
     pixels

@@ -11,11 +11,10 @@ use core::mem::size_of_val;
 use scancsg::geom::Parallel;
 use scancsg::render::{Gray8, Lambert, Picture, PixelFormat, Size};
 use scancsg::scalar::I16F16;
-use scancsg::solid::{Project, Shape};
-use scancsg::span::SpanList;
+use scancsg::solid::Project;
 use scancsg::stream::packet_capacity;
 
-fn sizes<S: Scene>() -> [usize; 3]
+fn sizes<S: Scene>() -> [usize; 2]
 where
     Tee<S>: Project<Parallel<S>, Scalar = S>,
 {
@@ -25,14 +24,13 @@ where
     let tee = S::TEE;
     let picture = Picture::new(&tee, &camera, size, light, Gray8(0));
     let scanline = picture.scanline(0).unwrap();
-    let spans = SpanList::<S, { <Tee<f32> as Shape>::STACK }>::new();
-    [size_of_val(&picture), size_of_val(&scanline), size_of_val(&spans)]
+    [size_of_val(&picture), size_of_val(&scanline)]
 }
 
 #[test]
 fn a_render_of_tee_needs_little_memory() {
     let [single, fixed] = [sizes::<f32>(), sizes::<I16F16>()];
-    println!("picture, scanline, span list: {single:?} bytes in f32, {fixed:?} in I16F16");
+    println!("picture, scanline: {single:?} bytes in f32, {fixed:?} in I16F16");
     // Pointers are half as long on a microcontroller.
     assert!(single.iter().sum::<usize>() <= 2400, "{single:?}");
     assert!(fixed.iter().sum::<usize>() <= 4600, "{fixed:?}");

@@ -15,7 +15,6 @@ use scancsg::geom::Rays;
 use scancsg::render::{Camera, Gray8, Lambert, Picture, Pixel, Shader, Size, XRay};
 use scancsg::scalar::{I16F16, Number, Real, Scalar};
 use scancsg::solid::Project;
-use scancsg::span::SpanList;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -30,10 +29,9 @@ where
     let size = Size::new(width, height).unwrap();
     let tee = S::TEE;
     let picture = Picture::new(&tee, camera, size, shader, Gray8(0));
-    let mut list = SpanList::<S, 64>::new();
     let mut row = vec![Gray8(0); width.into()];
-    let render = |scanline: scancsg::render::Scanline<'_, '_, _, _, _, _>| {
-        scanline.render(&mut list, &mut row).unwrap();
+    let render = |mut scanline: scancsg::render::Scanline<'_, '_, _, _, _, _>| {
+        scanline.render(&mut row).unwrap();
         row.iter().map(|pixel| pixel.0).collect()
     };
     picture.scanlines().map(render).collect()

@@ -4,7 +4,7 @@ use crate::scene::{Scene, Tee};
 use core::hint::black_box;
 use scancsg::geom::{Ray, Vec3};
 use scancsg::render::{Gray8, Lambert, Picture, PixelFormat, Size};
-use scancsg::solid::{Shape, Solid};
+use scancsg::solid::Solid;
 use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
 use scancsg::stream::{Decoder, encode_row, packet_capacity};
 
@@ -41,7 +41,6 @@ pub const FRAMES: &[Frame] = &[
 
 pub const WIDTH: u16 = 160;
 pub const HEIGHT: u16 = 120;
-const SPANS: usize = Tee::<Number>::STACK;
 const PACKET: usize = packet_capacity(WIDTH, PixelFormat::Gray8);
 
 static TEE: Tee<Number> = Number::TEE;
@@ -123,9 +122,8 @@ macro_rules! frames {
             let (Ok(camera), Some(light)) = (Number::$camera(), light()) else { return };
             let Ok(size) = Size::new(WIDTH, HEIGHT) else { return };
             let picture = Picture::new(&TEE, black_box(&camera), size, light, Gray8(0));
-            let mut list = SpanList::<Number, SPANS>::new();
             let mut pixels = [Gray8(0); WIDTH as usize];
-            let _ = picture.scanline(y as u16).and_then(|row| row.render(&mut list, &mut pixels));
+            let _ = picture.scanline(y as u16).and_then(|mut row| row.render(&mut pixels));
             black_box(&pixels);
         }
     )+};

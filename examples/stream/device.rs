@@ -6,7 +6,6 @@ use embedded_io::Write;
 use scancsg::geom::Rays;
 use scancsg::render::{Picture, Pixel, RowError, Shader};
 use scancsg::solid::{Project, Solid};
-use scancsg::span::SpanList;
 use scancsg::stream::{
     CONTROL_CAPACITY, Decoder, FrameHeader, Packet, Part, Request, SendError, Sender,
 };
@@ -53,11 +52,10 @@ const PATIENCE: u32 = 3;
 
 /// Sends one frame, and then renders again whatever was lost on the way, until the other end has
 /// everything. `pixels` is the memory for one row.
-pub fn send_frame<T, R, H, P, L, const N: usize, const SPANS: usize>(
+pub fn send_frame<T, R, H, P, L, const N: usize>(
     picture: &Picture<'_, T, R, H, P>,
     frame: u16,
     sender: &mut Sender<L, N>,
-    spans: &mut SpanList<R::Scalar, SPANS>,
     pixels: &mut [P],
 ) -> Result<Delivery, DeviceError<L::Error>>
 where
@@ -74,8 +72,8 @@ where
         height: size.height(),
         format: P::FORMAT,
     })?;
-    for scanline in picture.scanlines() {
-        scanline.render(spans, pixels)?;
+    for mut scanline in picture.scanlines() {
+        scanline.render(pixels)?;
         sender.row(scanline.y(), pixels)?;
     }
     sender.end()?;
@@ -97,7 +95,7 @@ where
                 Part::Header => sender.header_again()?,
                 Part::End => sender.end_again()?,
                 Part::Row(y) if y < size.height() => {
-                    picture.scanline(y)?.render(spans, pixels)?;
+                    picture.scanline(y)?.render(pixels)?;
                     sender.resend_row(y, pixels)?;
                 }
                 _ => {}

@@ -10,13 +10,10 @@ use crate::device::{Delivery, Line, send_frame};
 use crate::scene::{Scene, Tee};
 use core::convert::Infallible;
 use scancsg::render::{Gray8, Lambert, Picture, PixelFormat, Size};
-use scancsg::solid::Shape;
-use scancsg::span::SpanList;
 use scancsg::stream::{Sender, packet_capacity};
 
 const WIDTH: u16 = 160;
 const HEIGHT: u16 = 120;
-const SPANS: usize = Tee::<Number>::STACK;
 const PACKET: usize = packet_capacity(WIDTH, PixelFormat::Gray8);
 /// How often a frame is sent to somebody who doesn't answer.
 const FRAMES: u16 = 4;
@@ -40,12 +37,11 @@ fn send() -> Option<Delivery> {
     let light = Lambert::new(Number::TO_LIGHT, Number::hundredths(15)).ok()?;
     let size = Size::new(WIDTH, HEIGHT).ok()?;
     let picture = Picture::new(&TEE, &camera, size, light, Gray8(0));
-    let mut spans = SpanList::<Number, SPANS>::new();
     let mut pixels = [Gray8(0); WIDTH as usize];
     let mut sender = Sender::<_, PACKET>::new(Uart::new());
     let mut delivery = Delivery::Unheard;
     for frame in 0..FRAMES {
-        delivery = send_frame(&picture, frame, &mut sender, &mut spans, &mut pixels).ok()?;
+        delivery = send_frame(&picture, frame, &mut sender, &mut pixels).ok()?;
         if delivery == Delivery::Acknowledged {
             break;
         }

@@ -6,22 +6,18 @@ use crate::host::image::write_png;
 use crate::host::port::{self, Faults, Port, Wire};
 use crate::host::receive::{CAPACITY, Ending, Frame, Session};
 use crate::host::terminal::Display;
-use crate::scene::{LAP, Scene, Tee};
+use crate::scene::{LAP, Scene};
 use clap::Parser;
 use scancsg::geom::{Parallel, Pencil, Pose, Rays};
 use scancsg::render::{Depth, Gray8, Lambert, Picture, Pixel, Rgb565, Shader, Size, XRay};
 use scancsg::scalar::I16F16;
-use scancsg::solid::{Placed, Project, Shape, Solid};
-use scancsg::span::SpanList;
+use scancsg::solid::{Placed, Project, Solid};
 use scancsg::stream::{SendError, Sender};
 use std::f64::consts::TAU;
 use std::io::{self, Read, Write};
 use std::process::ExitCode;
 use std::thread;
 use std::time::{Duration, Instant};
-
-/// Room for the spans of the part; less would not compile.
-const SPANS: usize = <Tee<f32> as Shape>::STACK;
 
 /// With no sender, this long is waited for a frame.
 const PATIENCE: Duration = Duration::from_secs(5);
@@ -319,7 +315,6 @@ where
 {
     let size: Size = args.size;
     let mut sender = Box::new(Sender::<_, CAPACITY>::new(line));
-    let mut spans = SpanList::<S, SPANS>::new();
     let mut pixels = vec![background; usize::from(size.width())];
     let mut unheard = 0;
     for frame in 0..args.frames {
@@ -329,7 +324,7 @@ where
         };
         let turned = Placed::new(part, Pose::rotation_y(S::nearest(TAU * turns)));
         let picture = Picture::new(&turned, &camera(frame)?, size, shader, background);
-        let delivery = device::send_frame(&picture, frame, &mut sender, &mut spans, &mut pixels)
+        let delivery = device::send_frame(&picture, frame, &mut sender, &mut pixels)
             .map_err(|error| describe_error(&error))?;
         unheard += u32::from(delivery == Delivery::Unheard);
         sent(frame);

@@ -7,7 +7,9 @@ mod ray;
 mod vec3;
 
 pub(crate) use direction::{Axis, Direction};
-pub use pixels::{Affine, Column, Extent, Parallel, Pencil, Rays};
+pub use pixels::{
+    Affine, Column, Extent, Parallel, ParallelRays, Pencil, PencilRays, RayRow, Rays,
+};
 pub use pose::Pose;
 pub use ray::{Line, Ray, RayError};
 pub use vec3::{Vec3, vec3};

@@ -109,11 +109,14 @@ pub trait Rays: Copy {
     /// The number type.
     type Scalar: Scalar;
 
+    /// The rays of one row.
+    type Row: RayRow<Scalar = Self::Scalar>;
+
     /// The number of columns.
     fn columns(&self) -> u32;
 
-    /// The ray through (x, y), in half pixels from the middle of the picture.
-    fn line(&self, x: i32, y: i32) -> Line<Self::Scalar>;
+    /// The rays of the row `y` half pixels below the middle of the picture.
+    fn row(&self, y: i32) -> Self::Row;
 
     /// The smallest parameter that the camera sees.
     fn start(&self) -> Self::Scalar;
@@ -121,6 +124,15 @@ pub trait Rays: Copy {
     /// The same rays in the own frame of a solid that stands at `pose`.
     #[must_use]
     fn back_from(&self, pose: &Pose<Self::Scalar>) -> Self;
+}
+
+/// The rays of one row of a picture.
+pub trait RayRow: Copy {
+    /// The number type.
+    type Scalar: Scalar;
+
+    /// The ray `x` half pixels to the right of the middle.
+    fn line(&self, x: i32) -> Line<Self::Scalar>;
 }
 
 /// The rays of an orthographic picture: all parallel to `forward`.
@@ -146,27 +158,63 @@ impl<S: Scalar> Parallel<S> {
     pub(crate) fn steps(&self, from: Vec3<S::Fine>) -> [Vec3<S::Fine>; 3] {
         [self.center - from, self.right * self.pitch, self.down * self.pitch]
     }
+}
 
-    /// The way to the pixel in the image plane.
-    fn offset(&self, x: i32, y: i32) -> Vec3<S::Fine> {
-        let [_, right, down] = self.steps(Vec3::ZERO);
-        let steps = |right: S::Fine, down: S::Fine| {
-            S::Fine::ZERO.after_steps(right, x).after_steps(down, y)
-        };
-        Vec3::new(steps(right.x, down.x), steps(right.y, down.y), steps(right.z, down.z))
+/// A row of the image plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct PlaneRow<S: Scalar> {
+    center: Vec3<S::Fine>,
+    /// The way from the centre to the middle of the row.
+    down: Vec3<S::Fine>,
+    /// The step of half a pixel.
+    right: Vec3<S::Fine>,
+}
+
+impl<S: Scalar> PlaneRow<S> {
+    fn new(plane: &Parallel<S>, y: i32) -> Self {
+        let [center, right, down] = plane.steps(Vec3::ZERO);
+        Self { center, down: down.map(|step| S::Fine::ZERO.after_steps(step, y)), right }
+    }
+
+    /// The way from the centre to a pixel.
+    #[inline]
+    fn offset(&self, x: i32) -> Vec3<S::Fine> {
+        let Self { down, right, .. } = self;
+        Vec3::new(
+            down.x.after_steps(right.x, x),
+            down.y.after_steps(right.y, x),
+            down.z.after_steps(right.z, x),
+        )
+    }
+}
+
+/// A row of parallel rays.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ParallelRays<S: Scalar> {
+    plane: PlaneRow<S>,
+    direction: Vec3<S>,
+}
+
+impl<S: Scalar> RayRow for ParallelRays<S> {
+    type Scalar = S;
+
+    #[inline]
+    fn line(&self, x: i32) -> Line<S> {
+        let Self { plane, direction } = self;
+        Line { origin: (plane.center + plane.offset(x)).map(S::from_fine), direction: *direction }
     }
 }
 
 impl<S: Scalar> Rays for Parallel<S> {
     type Scalar = S;
+    type Row = ParallelRays<S>;
 
     fn columns(&self) -> u32 {
         self.columns
     }
 
-    fn line(&self, x: i32, y: i32) -> Line<S> {
-        let origin = (self.center + self.offset(x, y)).map(S::from_fine);
-        Line { origin, direction: self.forward.map(S::from_fine) }
+    fn row(&self, y: i32) -> ParallelRays<S> {
+        ParallelRays { plane: PlaneRow::new(self, y), direction: self.forward.map(S::from_fine) }
     }
 
     fn start(&self) -> S {
@@ -198,18 +246,40 @@ pub struct Pencil<S: Scalar> {
     pub convergence: S::Fine,
 }
 
+/// A row of a pencil of rays.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PencilRays<S: Scalar> {
+    plane: PlaneRow<S>,
+    forward: Vec3<S::Fine>,
+    convergence: S::Fine,
+}
+
+impl<S: Scalar> RayRow for PencilRays<S> {
+    type Scalar = S;
+
+    #[inline]
+    fn line(&self, x: i32) -> Line<S> {
+        let offset = self.plane.offset(x);
+        Line {
+            origin: (self.plane.center + offset).map(S::from_fine),
+            direction: (self.forward + offset * self.convergence).map(S::from_fine),
+        }
+    }
+}
+
 impl<S: Scalar> Rays for Pencil<S> {
     type Scalar = S;
+    type Row = PencilRays<S>;
 
     fn columns(&self) -> u32 {
         self.plane.columns
     }
 
-    fn line(&self, x: i32, y: i32) -> Line<S> {
-        let offset = self.plane.offset(x, y);
-        Line {
-            origin: (self.plane.center + offset).map(S::from_fine),
-            direction: (self.plane.forward + offset * self.convergence).map(S::from_fine),
+    fn row(&self, y: i32) -> PencilRays<S> {
+        PencilRays {
+            plane: PlaneRow::new(&self.plane, y),
+            forward: self.plane.forward,
+            convergence: self.convergence,
         }
     }
 

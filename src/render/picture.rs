@@ -1,10 +1,10 @@
 //! Pictures and their scanlines: solid → view → row → pixels, without a frame buffer.
 
 use super::{Camera, Pixel, Shader, Size};
-use crate::geom::{Column, Extent, Line, Rays, Vec3};
+use crate::geom::{Column, Line, RayRow, Rays, Vec3};
 use crate::scalar::{Number, Scalar};
-use crate::solid::{Project, Rgb, Row, Seen, Shape, Solid, View, first_seen};
-use crate::span::{Face, Span, SpanList};
+use crate::solid::{Blank, Outlook, Project, Rgb, Seen, Solid, Start};
+use crate::span::{Crossing, Face, Span, SpanList};
 use core::ops::Range;
 
 /// A solid, looked at by a camera, ready to be rendered row by row in any order.
@@ -15,7 +15,6 @@ use core::ops::Range;
 /// use scancsg::geom::vec3;
 /// use scancsg::render::{Gray8, Lambert, Orthographic, Picture, Size};
 /// use scancsg::solid::Cylinder;
-/// use scancsg::span::SpanList;
 ///
 /// let part = Cylinder::<f32>::along_x(0.0, 0.0, 1.0, -1.5, 1.5)?
 ///     - Cylinder::<f32>::along_x(0.0, 0.0, 0.5, -2.0, 2.0)?;
@@ -29,18 +28,19 @@ use core::ops::Range;
 /// let size = Size::new(32, 24)?;
 ///
 /// let picture = Picture::new(&part, &camera, size, light, Gray8(0));
-/// let mut spans = SpanList::<_, 4>::new();
 /// let mut pixels = [Gray8(0); 32];
-/// for scanline in picture.scanlines() {
-///     scanline.render(&mut spans, &mut pixels)?;
+/// for mut scanline in picture.scanlines() {
+///     scanline.render(&mut pixels)?;
 ///     // Send the pixels, show them, or count them.
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub struct Picture<'a, T: Project<R>, R, H, P> {
+pub struct Picture<'a, T: Project<R>, R: Rays, H, P> {
     solid: &'a T,
-    view: T::View<'a>,
+    view: T::View,
     rays: R,
+    /// Just before what the camera sees.
+    before: R::Scalar,
     size: Size,
     shader: H,
     background: P,
@@ -78,7 +78,17 @@ where
         background: P,
     ) -> Self {
         let rays = camera.rays(size);
-        Self { solid, view: solid.view(&rays), rays, size, shader, background }
+        let mut picture = Self {
+            solid,
+            view: T::View::BLANK,
+            rays,
+            before: rays.start().next_below(),
+            size,
+            shader,
+            background,
+        };
+        solid.view(&picture.rays, &mut picture.view);
+        picture
     }
 
     /// The size in pixels.
@@ -102,7 +112,10 @@ where
 
     fn prepare(&self, y: u16) -> Scanline<'_, 'a, T, R, H, P> {
         let from_middle = from_middle(y, self.size.height());
-        Scanline { picture: self, y, from_middle, row: self.view.row(from_middle) }
+        let rays = self.rays.row(from_middle);
+        let mut scanline = Scanline { picture: self, y, rays, row: T::Row::BLANK };
+        self.solid.row(&self.view, from_middle, &mut scanline.row);
+        scanline
     }
 }
 
@@ -122,17 +135,14 @@ pub struct Run {
 }
 
 /// A row of a picture, ready to be rendered as a whole or run by run.
-pub struct Scanline<'p, 'a, T: Project<R>, R, H, P>
-where
-    T::View<'a>: 'p,
-{
+pub struct Scanline<'p, 'a, T: Project<R>, R: Rays, H, P> {
     picture: &'p Picture<'a, T, R, H, P>,
     y: u16,
-    from_middle: i32,
-    row: <T::View<'a> as View>::Row<'p>,
+    rays: R::Row,
+    row: T::Row,
 }
 
-impl<'a, T, R, H, P> Scanline<'_, 'a, T, R, H, P>
+impl<T, R, H, P> Scanline<'_, '_, T, R, H, P>
 where
     R: Rays,
     T: Solid<Scalar = R::Scalar> + Project<R>,
@@ -145,19 +155,23 @@ where
         self.y
     }
 
-    /// The row in runs from left to right, of background and of everything else.
+    /// The run that begins with column `start`, or `None` behind the last column.
     ///
-    /// Together they cover each column once; none is empty.
-    pub fn runs(&self) -> impl Iterator<Item = Run> + use<T, R, H, P> {
+    /// Runs of background and of everything else take turns, so from column 0 on, each beginning
+    /// where the last one ended, they cover the row.
+    #[must_use]
+    pub fn run(&self, start: u16) -> Option<Run> {
         let width = self.picture.size.width();
-        let Extent { start, end } = self.row.extent();
-        let column = |index: u32| u16::try_from(index).map_or(width, |index| index.min(width));
-        let end = column(end);
-        let start = column(start).min(end);
-        [(0..start, true), (start..end, false), (end..width, true)]
-            .into_iter()
-            .filter(|(columns, _)| !columns.is_empty())
-            .map(|(columns, is_background)| Run { columns, is_background })
+        let Outlook { is_there, mut until } = T::outlook(&self.row, start.into());
+        while until < u32::from(width) {
+            let next = T::outlook(&self.row, until);
+            if next.is_there != is_there {
+                break;
+            }
+            until = next.until;
+        }
+        let end = u16::try_from(until).map_or(width, |until| until.min(width));
+        (start < width).then_some(Run { columns: start..end, is_background: !is_there })
     }
 
     /// Renders the whole row into `pixels`.
@@ -165,22 +179,9 @@ where
     /// # Errors
     /// [`RowError::Length`] if `pixels` is not as long as the picture is wide; nothing is
     /// written then.
-    pub fn render<const N: usize>(
-        &self,
-        list: &mut SpanList<R::Scalar, N>,
-        pixels: &mut [P],
-    ) -> Result<(), RowError> {
-        if pixels.len() != usize::from(self.picture.size.width()) {
-            return Err(RowError::Length);
-        }
-        let mut rest = pixels;
-        for run in self.runs() {
-            let (now, later) =
-                rest.split_at_mut_checked(run.columns.len()).ok_or(RowError::Length)?;
-            self.render_run(&run, list, now)?;
-            rest = later;
-        }
-        Ok(())
+    pub fn render(&mut self, pixels: &mut [P]) -> Result<(), RowError> {
+        let columns = 0..self.picture.size.width();
+        self.render_run(&Run { columns, is_background: false }, pixels)
     }
 
     /// Renders one run into `pixels`.
@@ -188,26 +189,38 @@ where
     /// # Errors
     /// [`RowError::Length`] if `pixels` is not as long as the run, [`RowError::Index`] if the run
     /// ends beyond the picture; nothing is written then.
-    pub fn render_run<const N: usize>(
-        &self,
-        run: &Run,
-        list: &mut SpanList<R::Scalar, N>,
-        pixels: &mut [P],
-    ) -> Result<(), RowError> {
+    pub fn render_run(&mut self, run: &Run, pixels: &mut [P]) -> Result<(), RowError> {
         if pixels.len() != run.columns.len() {
             return Err(RowError::Length);
         }
         if run.columns.end > self.picture.size.width() {
             return Err(RowError::Index);
         }
-        if run.is_background {
-            pixels.fill(self.picture.background);
-            return Ok(());
-        }
-        for (pixel, x) in pixels.iter_mut().zip(run.columns.clone()) {
-            *pixel = self.pixel(x, list);
+        let mut column = u32::from(run.columns.start);
+        let mut rest = pixels;
+        while !rest.is_empty() {
+            let Outlook { is_there, until } = T::outlook(&self.row, column);
+            let count = rest.len().min((until - column) as usize);
+            let (now, later) = rest.split_at_mut_checked(count).ok_or(RowError::Length)?;
+            if is_there && !run.is_background {
+                T::enter(&mut self.row, column);
+                let mut x = self.x(column);
+                for pixel in now {
+                    *pixel = self.pixel(x);
+                    x += 2;
+                }
+            } else {
+                now.fill(self.picture.background);
+            }
+            rest = later;
+            column = until;
         }
         Ok(())
+    }
+
+    /// The centre of a column, in half pixels from the middle of the picture.
+    fn x(&self, column: u32) -> i32 {
+        2 * column as i32 + 1 - i32::from(self.picture.size.width())
     }
 
     /// The spans of the ray of column `x`. The parameter counts scene units along the viewing
@@ -220,69 +233,97 @@ where
         const {
             assert!(N >= T::STACK, "the span list is too small: see Shape::STACK of the solid");
         }
-        let column = Column { index: u32::from(x), x: from_middle(x, self.picture.size.width()) };
+        let index = u32::from(x);
+        let column = Column { index, x: self.x(index) };
         let mut stack = list.stack();
-        if self.row.extent().contains(column.index) {
-            self.row.spans(column, Face(0), &mut stack);
+        if T::outlook(&self.row, index).is_there {
+            let Picture { solid, view, .. } = self.picture;
+            solid.spans_at(view, &self.row, column, Face(0), &mut stack);
         }
         list.as_slice()
     }
 
     /// The surface that column `x` sees, if any; its parameter as in [`spans`](Self::spans).
-    pub fn seen<const N: usize>(
-        &self,
-        x: u16,
-        list: &mut SpanList<R::Scalar, N>,
-    ) -> Option<Seen<R::Scalar>> {
-        first_seen(self.spans(x, list), self.picture.rays.start())
+    pub fn seen(&mut self, x: u16) -> Option<Seen<R::Scalar>> {
+        let column = u32::from(x);
+        if !T::outlook(&self.row, column).is_there {
+            return None;
+        }
+        T::enter(&mut self.row, column);
+        self.seen_at(self.x(column))
     }
 
-    fn pixel<const N: usize>(&self, x: u16, list: &mut SpanList<R::Scalar, N>) -> P {
-        let Picture { solid, rays, size, shader, background, .. } = self.picture;
-        let spans = self.spans(x, list);
-        let Some(seen) = first_seen(spans, rays.start()) else { return *background };
-        let x = from_middle(x, size.width());
-        let sample = Sample { solid: *solid, rays, x, y: self.from_middle, spans, seen };
+    #[inline]
+    fn seen_at(&mut self, x: i32) -> Option<Seen<R::Scalar>> {
+        let Picture { solid, view, before, .. } = self.picture;
+        let inside = solid.holds(view, &mut self.row, x, *before);
+        let start = Start { t: *before, inside, first: Face(0) };
+        let Crossing { t, face } = solid.next(view, &mut self.row, x, start);
+        (t < R::Scalar::HIGHEST).then_some(Seen { t, face, inside })
+    }
+
+    #[inline]
+    fn pixel(&mut self, x: i32) -> P {
+        let Picture { solid, shader, background, .. } = self.picture;
+        let Some(seen) = self.seen_at(x) else { return *background };
         let color = solid.color(seen.face).unwrap_or(Rgb::WHITE);
-        P::shaded(color, shader.level(&sample))
+        let Picture { view, rays: camera, .. } = self.picture;
+        let Self { rays, row, .. } = self;
+        let sample = Sample { solid: *solid, view, row, camera, rays, x, seen };
+        P::shaded(color, shader.level(sample))
     }
 }
 
 /// What a pixel sees: the input of a [`Shader`].
-#[derive(Debug, Clone, Copy)]
-pub struct Sample<'a, T: Shape, R> {
+pub struct Sample<'a, T: Project<R>, R: Rays> {
     solid: &'a T,
-    rays: &'a R,
+    view: &'a T::View,
+    row: &'a mut T::Row,
+    camera: &'a R,
+    rays: &'a R::Row,
     x: i32,
-    y: i32,
-    /// The spans of the pixel's ray, also those behind the seen surface.
-    pub spans: &'a [Span<T::Scalar>],
     /// The surface that is seen.
     pub seen: Seen<T::Scalar>,
 }
 
-impl<T: Solid, R: Rays<Scalar = T::Scalar>> Sample<'_, T, R> {
+impl<T, R> Sample<'_, T, R>
+where
+    R: Rays,
+    T: Solid<Scalar = R::Scalar> + Project<R>,
+{
     /// The pixel's ray; its direction has length 1 only for orthographic cameras.
     #[must_use]
-    pub fn line(&self) -> Line<T::Scalar> {
-        self.rays.line(self.x, self.y)
+    pub fn line(&self) -> Line<R::Scalar> {
+        self.rays.line(self.x)
     }
 
     /// The normal of length 1 on the side of the surface that is seen.
     #[must_use]
-    pub fn normal(&self) -> Vec3<T::Scalar> {
+    pub fn normal(&self) -> Vec3<R::Scalar> {
         let outward = self.solid.normal(self.seen.face, self.line().at(self.seen.t));
         if self.seen.inside { -outward } else { outward }
     }
 
     /// The length of the ray inside the solid, in scene units.
     #[must_use]
-    pub fn path_length(&self) -> T::Scalar {
-        let start = self.rays.start();
-        let inside = self.spans.iter().fold(T::Scalar::ZERO, |sum, span| {
-            let enter = span.enter.t.max(start);
-            sum.plus(span.exit.t.minus(enter).max(T::Scalar::ZERO))
-        });
-        inside.times(T::Scalar::length(self.line().direction.to_array()))
+    pub fn path_length(&mut self) -> R::Scalar {
+        let Self { seen: Seen { mut t, mut inside, .. }, .. } = *self;
+        let mut enter = if inside { self.camera.start() } else { t };
+        let mut sum = R::Scalar::ZERO;
+        if inside {
+            sum = t.minus(enter);
+        }
+        // The surface that is seen has been crossed.
+        inside = !inside;
+        while t < R::Scalar::HIGHEST {
+            let start = Start { t, inside, first: Face(0) };
+            t = self.solid.next(self.view, self.row, self.x, start).t;
+            if inside {
+                sum = sum.plus(t.minus(enter));
+            }
+            enter = t;
+            inside = !inside;
+        }
+        sum.times(R::Scalar::length(self.line().direction.to_array()))
     }
 }

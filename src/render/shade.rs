@@ -3,7 +3,7 @@
 use super::Sample;
 use crate::geom::{Rays, Vec3};
 use crate::scalar::{Number, Scalar};
-use crate::solid::Solid;
+use crate::solid::{Project, Solid};
 
 /// Turns what a pixel sees into a level, 0 (dark) to 255.
 ///
@@ -11,9 +11,9 @@ use crate::solid::Solid;
 /// are applied to the level afterwards.
 pub trait Shader<S: Scalar> {
     /// The level of a pixel.
-    fn level<T, R>(&self, sample: &Sample<'_, T, R>) -> u8
+    fn level<T, R>(&self, sample: Sample<'_, T, R>) -> u8
     where
-        T: Solid<Scalar = S>,
+        T: Solid<Scalar = S> + Project<R>,
         R: Rays<Scalar = S>;
 }
 
@@ -71,9 +71,9 @@ impl<S: Scalar> Lambert<S> {
 }
 
 impl<S: Scalar> Shader<S> for Lambert<S> {
-    fn level<T, R>(&self, sample: &Sample<'_, T, R>) -> u8
+    fn level<T, R>(&self, sample: Sample<'_, T, R>) -> u8
     where
-        T: Solid<Scalar = S>,
+        T: Solid<Scalar = S> + Project<R>,
         R: Rays<Scalar = S>,
     {
         let cosine = sample.normal().dot(self.to_light);
@@ -109,9 +109,9 @@ impl<S: Scalar> Depth<S> {
 }
 
 impl<S: Scalar> Shader<S> for Depth<S> {
-    fn level<T, R>(&self, sample: &Sample<'_, T, R>) -> u8
+    fn level<T, R>(&self, sample: Sample<'_, T, R>) -> u8
     where
-        T: Solid<Scalar = S>,
+        T: Solid<Scalar = S> + Project<R>,
         R: Rays<Scalar = S>,
     {
         self.far.minus(sample.seen.t).scaled(self.inverse_range).to_level()
@@ -144,9 +144,9 @@ impl<S: Scalar> XRay<S> {
 }
 
 impl<S: Scalar> Shader<S> for XRay<S> {
-    fn level<T, R>(&self, sample: &Sample<'_, T, R>) -> u8
+    fn level<T, R>(&self, mut sample: Sample<'_, T, R>) -> u8
     where
-        T: Solid<Scalar = S>,
+        T: Solid<Scalar = S> + Project<R>,
         R: Rays<Scalar = S>,
     {
         sample.path_length().scaled(self.inverse_thickness).to_level()

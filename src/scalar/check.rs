@@ -1,7 +1,7 @@
 //! What constructors check and compute, for constants: traits have no `const` methods yet.
 
 use super::root::sqrt as const_sqrt;
-use super::{FixedI32, Fraction, Scalar};
+use super::{Factor, Fine, FixedI32, Fraction, Scalar};
 use core::marker::PhantomData;
 
 /// The constant functions of a number type.
@@ -33,6 +33,10 @@ macro_rules! floats {
 
             pub(crate) const fn is_radius(x: $Float) -> bool {
                 <$Float>::FINEST <= x && x <= <$Float>::REACH
+            }
+
+            pub(crate) const fn inverse(radius: $Float) -> $Float {
+                1.0 / radius
             }
 
             /// The coordinate axis, 0 to 2, that a direction lies along, if it does.
@@ -105,6 +109,12 @@ impl<F: Fraction> Check<FixedI32<F>> {
 
     pub(crate) const fn is_radius(x: FixedI32<F>) -> bool {
         x.to_bits() > 0 && Self::is_within_reach(x)
+    }
+
+    pub(crate) const fn inverse(radius: FixedI32<F>) -> Factor {
+        Factor::inverse(Fine::from_bits(
+            (radius.to_bits() as i64) << (Fine::FRACTION_BITS - F::BITS),
+        ))
     }
 
     /// The coordinate axis, 0 to 2, that a direction lies along, if it does.

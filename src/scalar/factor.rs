@@ -24,8 +24,8 @@ impl Factor {
     }
 
     /// 1/`number` for a number > 0, rounded down.
-    pub(super) fn inverse(number: Fine) -> Self {
-        let bits = u64::try_from(number.to_bits()).unwrap_or(0);
+    pub(super) const fn inverse(number: Fine) -> Self {
+        let bits = if number.to_bits() > 0 { number.to_bits().cast_unsigned() } else { 0 };
         let (mantissa, exponent) = normalized(bits);
         let shift = 62 + exponent - Fine::FRACTION_BITS as i32;
         Self { mantissa: reciprocal(mantissa) >> 1, shift }

@@ -240,9 +240,8 @@ impl<F: Fraction> Scalar for FixedI32<F> {
         })
     }
 
-    fn divided(vector: [Self; 3], by: Self) -> [Self; 3] {
-        let inverse = Factor::inverse(by.fine());
-        vector.map(|coordinate| coordinate.scaled(inverse))
+    fn next_below(self) -> Self {
+        self.saturating_sub(Self::from_bits(1))
     }
 
     #[inline]

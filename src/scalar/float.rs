@@ -355,10 +355,8 @@ macro_rules! float {
                 vector.map(|coordinate| coordinate * factor)
             }
 
-            #[inline]
-            fn divided(vector: [Self; 3], by: Self) -> [Self; 3] {
-                let inverse = 1.0 / by;
-                vector.map(|coordinate| coordinate * inverse)
+            fn next_below(self) -> Self {
+                self.next_down()
             }
 
             #[inline]

@@ -123,8 +123,9 @@ pub trait Scalar: Number {
     /// The vector of this length in the direction of another one, which is not zero.
     fn with_length(vector: [Self; 3], length: Self) -> [Self; 3];
 
-    /// A vector divided by a positive number.
-    fn divided(vector: [Self; 3], by: Self) -> [Self; 3];
+    /// The next smaller number, or [`LOWEST`](Self::LOWEST) if there is none.
+    #[must_use]
+    fn next_below(self) -> Self;
 
     /// `self` on the scale 0..=255, rounded to nearest; below 0 is 0, above 1 is 255, NaN is 0.
     fn to_level(self) -> u8;

@@ -1,10 +1,10 @@
 //! Union, intersection and difference of two solids, and the operators `|`, `&` and `-`.
 
-use super::row::{Project, Row, View};
+use super::row::{Blank, Outlook, Project, Start};
 use super::{Cylinder, Painted, Placed, Rgb, Shape, Slab, Solid, Sphere};
-use crate::geom::{Column, Extent, Line, Vec3};
+use crate::geom::{Column, Line, Vec3};
 use crate::scalar::Scalar;
-use crate::span::{Face, Operation, SpanStack};
+use crate::span::{Crossing, Face, Operation, SpanStack};
 use core::marker::PhantomData;
 use core::ops::{BitAnd, BitOr, Sub};
 
@@ -157,76 +157,148 @@ impl<O: Rule, L: Solid, R: Solid<Scalar = L::Scalar>> Solid for Boolean<O, L, R>
 }
 
 impl<P, O: Rule, L: Project<P>, R: Project<P, Scalar = L::Scalar>> Project<P> for Boolean<O, L, R> {
-    type View<'a>
-        = BooleanView<O, L::View<'a>, R::View<'a>>
-    where
-        Self: 'a;
+    type View = (L::View, R::View);
+    type Row = BooleanRow<L::Row, R::Row>;
 
-    fn view<'a>(&'a self, rays: &P) -> Self::View<'a> {
-        BooleanView(Boolean::new(self.left.view(rays), self.right.view(rays)))
-    }
-}
-
-/// Two views and what to do with them.
-#[derive(Debug, Clone, Copy)]
-pub struct BooleanView<O, L, R>(Boolean<O, L, R>);
-
-impl<O: Rule, L: View, R: View<Scalar = L::Scalar>> View for BooleanView<O, L, R> {
-    type Scalar = L::Scalar;
-    type Row<'a>
-        = BooleanRow<O, L::Row<'a>, R::Row<'a>>
-    where
-        Self: 'a;
-
-    fn row(&self, y: i32) -> Self::Row<'_> {
-        let (left, right) = (self.0.left.row(y), self.0.right.row(y));
-        let extent = if !O::OPERATION.needs_left() {
-            left.extent().hull(right.extent())
-        } else if O::CUTS {
-            left.extent()
-        } else {
-            left.extent().overlap(right.extent())
-        };
-        BooleanRow { operands: Boolean::new(left, right), extent }
-    }
-}
-
-/// Two rows and what to do with them.
-#[derive(Debug, Clone, Copy)]
-pub struct BooleanRow<O, L, R> {
-    operands: Boolean<O, L, R>,
-    extent: Extent,
-}
-
-impl<O: Rule, L: Row, R: Row<Scalar = L::Scalar>> Row for BooleanRow<O, L, R> {
-    type Scalar = L::Scalar;
-    const FACES: u16 = L::FACES + R::FACES;
-
-    fn extent(&self) -> Extent {
-        self.extent
+    fn view(&self, rays: &P, (left, right): &mut Self::View) {
+        self.left.view(rays, left);
+        self.right.view(rays, right);
     }
 
-    fn spans(&self, column: Column, first: Face, stack: &mut SpanStack<'_, L::Scalar>) {
-        let Boolean { left, right, .. } = &self.operands;
+    fn row(&self, (left, right): &Self::View, y: i32, row: &mut Self::Row) {
+        self.left.row(left, y, &mut row.left);
+        self.right.row(right, y, &mut row.right);
+    }
+
+    fn outlook(row: &Self::Row, column: u32) -> Outlook {
+        let left = L::outlook(&row.left, column);
+        if !left.is_there && O::OPERATION.needs_left() {
+            return left;
+        }
+        let right = R::outlook(&row.right, column);
+        let is_there = O::OPERATION.may_hold(left.is_there, right.is_there);
+        Outlook { is_there, until: left.until.min(right.until) }
+    }
+
+    fn enter(row: &mut Self::Row, column: u32) {
+        row.asks_left = L::outlook(&row.left, column).is_there;
+        row.asks_right = R::outlook(&row.right, column).is_there;
+        if row.asks_left {
+            L::enter(&mut row.left, column);
+        }
+        if row.asks_right {
+            R::enter(&mut row.right, column);
+        }
+    }
+
+    fn spans_at(
+        &self,
+        view: &Self::View,
+        row: &Self::Row,
+        column: Column,
+        first: Face,
+        stack: &mut SpanStack<'_, Self::Scalar>,
+    ) {
         combine(
             O::OPERATION,
             stack,
-            |stack| spans_inside(left, column, first, stack),
-            |stack| spans_inside(right, column, first.offset(L::FACES), stack),
+            |stack| spans_inside(&self.left, &view.0, &row.left, column, first, stack),
+            |stack| {
+                let first = first.offset(L::FACES);
+                spans_inside(&self.right, &view.1, &row.right, column, first, stack);
+            },
         );
+    }
+
+    #[inline]
+    fn holds(&self, view: &Self::View, row: &mut Self::Row, x: i32, t: Self::Scalar) -> bool {
+        let in_left = row.asks_left && self.left.holds(&view.0, &mut row.left, x, t);
+        if O::OPERATION.holds(in_left, false) == O::OPERATION.holds(in_left, true) {
+            return O::OPERATION.holds(in_left, false);
+        }
+        let in_right = row.asks_right && self.right.holds(&view.1, &mut row.right, x, t);
+        O::OPERATION.holds(in_left, in_right)
+    }
+
+    /// The merge of two lists, with the crossings of either computed when they are needed. While the
+    /// left operand is left and needed, that is none of the right one's.
+    #[inline]
+    fn next(
+        &self,
+        view: &Self::View,
+        row: &mut Self::Row,
+        x: i32,
+        from: Start<Self::Scalar>,
+    ) -> Crossing<Self::Scalar> {
+        let operation = O::OPERATION;
+        let Start { mut t, inside, first } = from;
+        let first_of_right = first.offset(L::FACES);
+        let mut in_left = row.asks_left && self.left.holds(&view.0, &mut row.left, x, t);
+        let mut counts_right = in_left || !operation.needs_left();
+        let mut in_right =
+            counts_right && row.asks_right && self.right.holds(&view.1, &mut row.right, x, t);
+        let (mut left, mut right) = (Crossing::NEVER, Crossing::NEVER);
+        let (mut asks_left, mut asks_right) = (row.asks_left, row.asks_right);
+        loop {
+            if asks_left {
+                let from = Start { t, inside: in_left, first };
+                left = self.left.next(&view.0, &mut row.left, x, from);
+            }
+            if !counts_right {
+                right = Crossing::NEVER;
+            } else if asks_right {
+                let from = Start { t, inside: in_right, first: first_of_right };
+                right = self.right.next(&view.1, &mut row.right, x, from);
+            }
+            // Where both cross, the face is that of the left.
+            let crossing = if right.t < left.t { right } else { left };
+            if crossing.t >= Self::Scalar::HIGHEST {
+                return crossing;
+            }
+            t = crossing.t;
+            asks_left = left.t <= t;
+            in_left ^= asks_left;
+            asks_right = right.t <= t;
+            in_right ^= asks_right;
+            if operation.needs_left() && asks_left {
+                counts_right = in_left;
+                asks_right = row.asks_right;
+                in_right =
+                    in_left && row.asks_right && self.right.holds(&view.1, &mut row.right, x, t);
+            }
+            if operation.holds(in_left, in_right) != inside {
+                return crossing;
+            }
+        }
     }
 }
 
-/// The spans of a row, without asking it outside of its extent.
+/// Two rows, and which of them matter in the present run of columns.
+#[derive(Debug, Clone, Copy)]
+pub struct BooleanRow<L, R> {
+    left: L,
+    right: R,
+    asks_left: bool,
+    asks_right: bool,
+}
+
+impl<L: Blank, R: Blank> Blank for BooleanRow<L, R> {
+    const BLANK: Self =
+        Self { left: L::BLANK, right: R::BLANK, asks_left: false, asks_right: false };
+}
+
+/// The spans of a column, without asking for them where nothing can be seen.
 #[inline]
-pub(super) fn spans_inside<R: Row>(
-    row: &R,
+pub(super) fn spans_inside<P, T: Project<P>>(
+    solid: &T,
+    view: &T::View,
+    row: &T::Row,
     column: Column,
     first: Face,
-    stack: &mut SpanStack<'_, R::Scalar>,
+    stack: &mut SpanStack<'_, T::Scalar>,
 ) {
-    if row.extent().contains(column.index) {
-        row.spans(column, first, stack);
+    if T::outlook(row, column.index).is_there {
+        solid.spans_at(view, row, column, first, stack);
     }
 }
 
@@ -258,7 +330,7 @@ macro_rules! operators {
 operators! {
     [S: Scalar] Cylinder<S>,
     [S: Scalar] Slab<S>,
-    [S] Sphere<S>,
+    [S: Scalar] Sphere<S>,
     [T] Painted<T>,
     ['a, T: Shape] Placed<'a, T>,
     [O, L, R] Boolean<O, L, R>,

@@ -1,8 +1,8 @@
 //! The door for primitives of your own.
 
-use super::row::{ConvexRow, Leaf, Project, View};
+use super::row::{Leaf, leaf};
 use super::{Shape, Solid};
-use crate::geom::{Extent, Line, Rays, Vec3};
+use crate::geom::{Extent, Line, RayRow, Rays, Vec3};
 use crate::scalar::Scalar;
 use crate::span::{Face, Span, SpanStack};
 
@@ -88,48 +88,21 @@ impl<T: Convex> Solid for T {
     }
 }
 
-impl<R: Rays<Scalar = T::Scalar>, T: Convex> Project<R> for T {
-    type View<'a>
-        = ConvexView<'a, T, R>
-    where
-        Self: 'a;
+impl<R: Rays<Scalar = T::Scalar>, T: Convex> Leaf<R> for T {
+    type View = R;
+    type Row = R::Row;
 
-    fn view<'a>(&'a self, rays: &R) -> Self::View<'a> {
-        ConvexView { solid: self, rays: *rays }
+    fn seen_along(&self, rays: &R) -> R {
+        *rays
+    }
+
+    fn in_row(&self, rays: &R, y: i32) -> (R::Row, Extent) {
+        (rays.row(y), Extent::all(rays.columns()))
+    }
+
+    fn span(&self, _: &R, row: &R::Row, x: i32) -> Option<Span<T::Scalar>> {
+        Convex::span(self, &row.line(x)).and_then(Span::checked)
     }
 }
 
-/// A convex solid and the rays that look at it.
-#[derive(Debug, Clone, Copy)]
-pub struct ConvexView<'a, T, R> {
-    solid: &'a T,
-    rays: R,
-}
-
-impl<T: Convex, R: Rays<Scalar = T::Scalar>> View for ConvexView<'_, T, R> {
-    type Scalar = T::Scalar;
-    type Row<'a>
-        = Leaf<EveryPixel<'a, T, R>>
-    where
-        Self: 'a;
-
-    fn row(&self, y: i32) -> Self::Row<'_> {
-        Leaf { row: EveryPixel { view: self, y }, extent: Extent::all(self.rays.columns()) }
-    }
-}
-
-/// A row of a convex solid that is asked anew for every pixel.
-#[derive(Debug, Clone, Copy)]
-pub struct EveryPixel<'a, T: Convex, R> {
-    view: &'a ConvexView<'a, T, R>,
-    y: i32,
-}
-
-impl<T: Convex, R: Rays<Scalar = T::Scalar>> ConvexRow for EveryPixel<'_, T, R> {
-    type Scalar = T::Scalar;
-    const FACES: u16 = T::FACES;
-
-    fn span(&self, x: i32) -> Option<Span<T::Scalar>> {
-        self.view.solid.span(&self.view.rays.line(x, self.y)).and_then(Span::checked)
-    }
-}
+leaf!([T: Convex] T);

@@ -1,11 +1,11 @@
 //! An array of one kind of solid is the union of its elements: a bolt circle, a box of balls.
 
 use super::boolean::spans_inside;
-use super::row::{Project, Row, View};
+use super::row::{Blank, Outlook, Project, Start};
 use super::{Rgb, Shape, Solid};
-use crate::geom::{Column, Extent, Line, Vec3};
+use crate::geom::{Column, Line, Vec3};
 use crate::scalar::Scalar;
-use crate::span::{Face, Operation, SpanStack};
+use crate::span::{Crossing, Face, Operation, SpanStack};
 
 const fn faces_of_group(count: usize, faces: u16) -> u16 {
     assert!(count > 0, "a group of solids needs at least one");
@@ -83,54 +83,138 @@ impl<T: Solid, const N: usize> Solid for [T; N] {
 }
 
 impl<P, T: Project<P>, const N: usize> Project<P> for [T; N] {
-    type View<'a>
-        = GroupView<T::View<'a>, N>
-    where
-        Self: 'a;
+    type View = [T::View; N];
+    type Row = GroupRow<T::Row, N>;
 
-    fn view<'a>(&'a self, rays: &P) -> Self::View<'a> {
-        GroupView(self.each_ref().map(|solid| solid.view(rays)))
-    }
-}
-
-/// The views of a group.
-#[derive(Debug, Clone, Copy)]
-pub struct GroupView<V, const N: usize>([V; N]);
-
-impl<V: View, const N: usize> View for GroupView<V, N> {
-    type Scalar = V::Scalar;
-    type Row<'a>
-        = GroupRow<V::Row<'a>, N>
-    where
-        Self: 'a;
-
-    fn row(&self, y: i32) -> Self::Row<'_> {
-        let rows = self.0.each_ref().map(|view| view.row(y));
-        let extent = rows.iter().fold(Extent::EMPTY, |all, row| all.hull(row.extent()));
-        GroupRow { rows, extent }
-    }
-}
-
-/// The rows of a group.
-#[derive(Debug, Clone, Copy)]
-pub struct GroupRow<R, const N: usize> {
-    rows: [R; N],
-    extent: Extent,
-}
-
-impl<R: Row, const N: usize> Row for GroupRow<R, N> {
-    type Scalar = R::Scalar;
-    const FACES: u16 = faces_of_group(N, R::FACES);
-
-    fn extent(&self) -> Extent {
-        self.extent
+    fn view(&self, rays: &P, view: &mut Self::View) {
+        for (solid, view) in self.iter().zip(view) {
+            solid.view(rays, view);
+        }
     }
 
-    fn spans(&self, column: Column, first: Face, stack: &mut SpanStack<'_, R::Scalar>) {
-        unite(N, R::FACES, first, stack, |index, face, stack| {
-            if let Some(row) = self.rows.get(index) {
-                spans_inside(row, column, face, stack);
+    fn row(&self, view: &Self::View, y: i32, row: &mut Self::Row) {
+        row.in_row = 0;
+        for ((index, solid), (view, element)) in
+            (0..).zip(self).zip(view.iter().zip(&mut row.elements))
+        {
+            solid.row(view, y, element);
+            if T::outlook(element, 0) != Outlook::EMPTY {
+                put(&mut row.of_row, &mut row.in_row, index);
+            }
+        }
+    }
+
+    fn outlook(row: &Self::Row, column: u32) -> Outlook {
+        let mut all = Outlook::EMPTY;
+        for element in row.of_row.iter().take(row.in_row.into()) {
+            if let Some(element) = row.elements.get(usize::from(*element)) {
+                let one = T::outlook(element, column);
+                all.is_there |= one.is_there;
+                all.until = all.until.min(one.until);
+            }
+        }
+        all
+    }
+
+    fn enter(row: &mut Self::Row, column: u32) {
+        row.in_run = 0;
+        for &index in row.of_row.iter().take(row.in_row.into()) {
+            if let Some(element) = row.elements.get_mut(usize::from(index))
+                && T::outlook(element, column).is_there
+            {
+                T::enter(element, column);
+                put(&mut row.of_run, &mut row.in_run, index);
+            }
+        }
+    }
+
+    fn spans_at(
+        &self,
+        view: &Self::View,
+        row: &Self::Row,
+        column: Column,
+        first: Face,
+        stack: &mut SpanStack<'_, Self::Scalar>,
+    ) {
+        unite(N, T::FACES, first, stack, |index, face, stack| {
+            if let (Some(solid), Some(view), Some(row)) =
+                (self.get(index), view.get(index), row.elements.get(index))
+            {
+                spans_inside(solid, view, row, column, face, stack);
             }
         });
+    }
+
+    #[inline]
+    fn holds(&self, view: &Self::View, row: &mut Self::Row, x: i32, t: Self::Scalar) -> bool {
+        row.of_run.iter().take(row.in_run.into()).any(|&index| {
+            let index = usize::from(index);
+            match (self.get(index), view.get(index), row.elements.get_mut(index)) {
+                (Some(solid), Some(view), Some(row)) => solid.holds(view, row, x, t),
+                _ => false,
+            }
+        })
+    }
+
+    #[inline]
+    fn next(
+        &self,
+        view: &Self::View,
+        row: &mut Self::Row,
+        x: i32,
+        from: Start<Self::Scalar>,
+    ) -> Crossing<Self::Scalar> {
+        let Start { mut t, inside, first } = from;
+        loop {
+            let mut crossing = Crossing::NEVER;
+            for &index in row.of_run.iter().take(row.in_run.into()) {
+                let element = usize::from(index);
+                let (Some(solid), Some(view), Some(row)) =
+                    (self.get(element), view.get(element), row.elements.get_mut(element))
+                else {
+                    continue;
+                };
+                let inside = inside && solid.holds(view, row, x, t);
+                let first = first.offset(index * T::FACES);
+                let own = solid.next(view, row, x, Start { t, inside, first });
+                if own.t < crossing.t {
+                    crossing = own;
+                }
+            }
+            // Start outside of all elements, the first that is entered decides.
+            if !inside || crossing.t >= Self::Scalar::HIGHEST {
+                return crossing;
+            }
+            t = crossing.t;
+            if !self.holds(view, row, x, t) {
+                return crossing;
+            }
+        }
+    }
+}
+
+/// The rows of a group, and which of them matter.
+#[derive(Debug, Clone, Copy)]
+pub struct GroupRow<R, const N: usize> {
+    elements: [R; N],
+    /// The elements that the row can meet, in ascending order: the first `in_row`.
+    of_row: [u16; N],
+    /// Those of them that the present run of columns can meet: the first `in_run`.
+    of_run: [u16; N],
+    in_row: u16,
+    in_run: u16,
+}
+
+impl<R: Blank, const N: usize> Blank for GroupRow<R, N> {
+    const BLANK: Self =
+        Self { elements: [R::BLANK; N], of_row: [0; N], of_run: [0; N], in_row: 0, in_run: 0 };
+}
+
+/// Puts an index behind the first `count` of a list that has room for all there are.
+#[inline]
+fn put(list: &mut [u16], count: &mut u16, index: u16) {
+    if let Some(place) = list.get_mut(usize::from(*count)) {
+        *place = index;
+        *count += 1;
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Shape, Solid};
 use crate::geom::{Line, Vec3};
-use crate::solid::row::Project;
+use crate::solid::row::{Project, project_as_within};
 use crate::span::{Face, SpanStack};
 
 /// A colour of eight bits per channel.
@@ -89,12 +89,8 @@ impl<T: Solid> Solid for Painted<T> {
 }
 
 impl<R, T: Project<R>> Project<R> for Painted<T> {
-    type View<'a>
-        = T::View<'a>
-    where
-        Self: 'a;
+    type View = T::View;
+    type Row = T::Row;
 
-    fn view<'a>(&'a self, rays: &R) -> T::View<'a> {
-        self.solid.view(rays)
-    }
+    project_as_within!(|_painted, rays| rays);
 }

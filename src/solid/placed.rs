@@ -1,6 +1,6 @@
 //! A solid that stands somewhere else than where it was made.
 
-use super::row::Project;
+use super::row::{Project, project_as_within};
 use super::{Rgb, Shape, Solid};
 use crate::geom::{Line, Pose, Rays, Vec3};
 use crate::span::{Face, SpanStack};
@@ -53,12 +53,8 @@ impl<T: Solid> Solid for Placed<'_, T> {
 }
 
 impl<R: Rays<Scalar = T::Scalar>, T: Project<R>> Project<R> for Placed<'_, T> {
-    type View<'a>
-        = T::View<'a>
-    where
-        Self: 'a;
+    type View = T::View;
+    type Row = T::Row;
 
-    fn view<'a>(&'a self, rays: &R) -> Self::View<'a> {
-        self.solid.view(&rays.back_from(&self.pose))
-    }
+    project_as_within!(|placed, rays| &rays.back_from(&placed.pose));
 }

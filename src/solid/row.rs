@@ -1,86 +1,300 @@
-//! The stages of a picture: solid, then view, then row, then column.
+//! The stages of a picture: solid, then view, then row, then run of columns, then column.
 //!
 //! A ray's formulas are applied to their arguments one at a time, and each stage keeps what its
-//! argument decided: [`Project::view`] what the camera decides, [`View::row`] what the row
-//! decides, so that [`Row::spans`] is left with as little as possible to do for every pixel.
-
-use crate::geom::{Column, Extent};
-use crate::scalar::Scalar;
-use crate::span::{Face, Span, SpanStack};
+//! argument decided. The stages of a solid are plain memory, of types that mirror the solid's own,
+//! and are filled in place; the solid itself goes along, so what it says is not kept twice.
 
 use super::Shape;
+use crate::geom::{Column, Extent};
+use crate::scalar::Scalar;
+use crate::span::{Crossing, Face, Span, SpanStack};
 
-/// A solid that can be seen along the rays `R` of a camera: [`Parallel`](crate::geom::Parallel)
-/// or [`Pencil`](crate::geom::Pencil).
-pub trait Project<R>: Shape {
-    /// The solid, seen by a camera.
-    type View<'a>: View<Scalar = Self::Scalar>
-    where
-        Self: 'a;
-
-    /// Gets ready for all rows of a picture.
-    fn view<'a>(&'a self, rays: &R) -> Self::View<'a>;
+/// Memory of a stage that is yet to be reached.
+pub trait Blank {
+    /// Nothing is decided.
+    const BLANK: Self;
 }
 
-/// A solid, seen by a camera.
-pub trait View {
-    /// The number type of the solid.
-    type Scalar: Scalar;
-    /// One row of it.
-    type Row<'a>: Row<Scalar = Self::Scalar>
-    where
-        Self: 'a;
-
-    /// Gets ready for all columns of the row `y` half pixels below the middle of the picture.
-    fn row(&self, y: i32) -> Self::Row<'_>;
+impl<T: Blank, const N: usize> Blank for [T; N] {
+    const BLANK: Self = [T::BLANK; N];
 }
 
-/// A solid, in one row of a picture.
-pub trait Row {
-    /// The number type of the solid.
-    type Scalar: Scalar;
-    /// The number of faces of the solid.
-    const FACES: u16;
-
-    /// The columns in which the solid can be seen; may be too many, but never too few.
-    fn extent(&self) -> Extent;
-
-    /// Pushes the spans of the pixel's ray with the solid, as
-    /// [`Solid::spans`](super::Solid::spans) does for a line.
-    fn spans(&self, column: Column, first: Face, stack: &mut SpanStack<'_, Self::Scalar>);
+impl<T> Blank for Option<T> {
+    const BLANK: Self = None;
 }
 
-/// A convex primitive in one row: at most one span in every column.
-pub trait ConvexRow {
-    /// As [`Row::Scalar`].
-    type Scalar: Scalar;
-    /// As [`Row::FACES`].
-    const FACES: u16;
-
-    /// The span of the ray `x` half pixels to the right of the middle, if there is one.
-    fn span(&self, x: i32) -> Option<Span<Self::Scalar>>;
+impl<A: Blank, B: Blank> Blank for (A, B) {
+    const BLANK: Self = (A::BLANK, B::BLANK);
 }
 
-/// A leaf of the tree of rows: a convex primitive, and the columns in which it can be seen.
-#[derive(Debug, Clone, Copy)]
-pub struct Leaf<R> {
-    pub(super) row: R,
-    pub(super) extent: Extent,
+/// What a row shows of a solid from some column on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Outlook {
+    /// Whether the solid may be seen.
+    pub is_there: bool,
+    /// The column in which that, or what is there, changes.
+    pub until: u32,
 }
 
-impl<R: ConvexRow> Row for Leaf<R> {
-    type Scalar = R::Scalar;
-    const FACES: u16 = R::FACES;
+impl Outlook {
+    /// No column shows anything.
+    pub(super) const EMPTY: Self = Self { is_there: false, until: u32::MAX };
 
+    /// What an extent says from `column` on.
     #[inline]
-    fn extent(&self) -> Extent {
-        self.extent
-    }
-
-    #[inline]
-    fn spans(&self, column: Column, first: Face, stack: &mut SpanStack<'_, R::Scalar>) {
-        if let Some(span) = self.row.span(column.x) {
-            stack.put(span.with_faces_from(first));
+    pub(super) fn of(extent: Extent, column: u32) -> Self {
+        let Extent { start, end } = extent;
+        match () {
+            () if column >= end || start >= end => Self::EMPTY,
+            () if column < start => Self { is_there: false, until: start },
+            () => Self { is_there: true, until: end },
         }
     }
 }
+
+/// A solid that can be seen along the rays `R` of a camera: [`Parallel`](crate::geom::Parallel)
+/// or [`Pencil`](crate::geom::Pencil).
+///
+/// Columns are asked for in two ways. [`spans_at`](Self::spans_at) is the whole list of a column, as
+/// [`Solid::spans`](super::Solid::spans) is that of a line. [`holds`](Self::holds) and
+/// [`next`](Self::next) walk along the ray from crossing to crossing, and compute only what the
+/// answer depends on; the crossings are those of the list, bit by bit.
+pub trait Project<R>: Shape {
+    /// What the camera decides.
+    type View: Blank;
+    /// What the row decides, which elements of groups matter in the present run of columns, and
+    /// the spans of primitives with the last ray that was asked for.
+    type Row: Blank;
+
+    /// Gets ready for all rows of a picture.
+    fn view(&self, rays: &R, view: &mut Self::View);
+
+    /// Gets ready for all columns of the row `y` half pixels below the middle of the picture.
+    fn row(&self, view: &Self::View, y: i32, row: &mut Self::Row);
+
+    /// What can be seen from `column` on: may be too much, but never too little.
+    fn outlook(row: &Self::Row, column: u32) -> Outlook;
+
+    /// Gets ready for the columns from `column` on, up to those of the [`outlook`](Self::outlook).
+    fn enter(row: &mut Self::Row, column: u32);
+
+    /// Pushes the spans of the column's ray, in ascending order and regularised, with faces
+    /// counted from `first` on.
+    fn spans_at(
+        &self,
+        view: &Self::View,
+        row: &Self::Row,
+        column: Column,
+        first: Face,
+        stack: &mut SpanStack<'_, Self::Scalar>,
+    );
+
+    /// Whether the ray `x` half pixels to the right of the middle is inside just behind `t`.
+    ///
+    /// Only in columns that were [entered](Self::enter) and where the solid may be seen.
+    fn holds(&self, view: &Self::View, row: &mut Self::Row, x: i32, t: Self::Scalar) -> bool;
+
+    /// The first crossing of the same ray behind `t`, where just behind `t` the ray is `inside` or
+    /// not. There is none if its parameter is [`Scalar::HIGHEST`].
+    fn next(
+        &self,
+        view: &Self::View,
+        row: &mut Self::Row,
+        x: i32,
+        from: Start<Self::Scalar>,
+    ) -> Crossing<Self::Scalar>;
+}
+
+/// Where the search for a crossing begins.
+#[derive(Debug, Clone, Copy)]
+pub struct Start<S> {
+    /// Crossings up to here are passed over.
+    pub t: S,
+    /// Whether the ray is inside the solid just behind `t`.
+    pub inside: bool,
+    /// The number of the solid's first face.
+    pub first: Face,
+}
+
+/// A convex primitive, seen along the rays `R`: at most one span in every column.
+pub trait Leaf<R>: Shape {
+    /// As [`Project::View`].
+    type View;
+    /// As [`Project::Row`].
+    type Row;
+
+    /// What the camera decides.
+    fn seen_along(&self, rays: &R) -> Self::View;
+
+    /// What the row decides, and the columns in which the primitive can be seen.
+    fn in_row(&self, view: &Self::View, y: i32) -> (Self::Row, Extent);
+
+    /// The span of the ray `x` half pixels to the right of the middle, if there is one.
+    fn span(&self, view: &Self::View, row: &Self::Row, x: i32) -> Option<Span<Self::Scalar>>;
+}
+
+/// A row of a primitive.
+#[derive(Debug, Clone, Copy)]
+pub struct LeafRow<S, D> {
+    pub(super) row: Option<D>,
+    pub(super) extent: Extent,
+    /// The ray that was asked for last, and its span.
+    x: i32,
+    span: Span<S>,
+}
+
+impl<S: Scalar, D> Blank for LeafRow<S, D> {
+    const BLANK: Self = Self { row: None, extent: Extent::EMPTY, x: NO_RAY, span: Span::NOWHERE };
+}
+
+/// Farther away than any ray of a picture.
+const NO_RAY: i32 = i32::MIN;
+
+impl<S: Scalar, D> LeafRow<S, D> {
+    /// Another row.
+    #[inline]
+    pub(super) fn set(&mut self, (row, extent): (D, Extent)) {
+        self.row = Some(row);
+        self.extent = extent;
+        self.x = NO_RAY;
+    }
+
+    /// The span of a ray: computed once, however often it is asked for.
+    #[inline]
+    pub(super) fn cached(
+        &mut self,
+        x: i32,
+        compute: impl FnOnce(&D) -> Option<Span<S>>,
+    ) -> &Span<S> {
+        if self.x != x {
+            self.x = x;
+            self.span = self.row.as_ref().and_then(compute).unwrap_or(Span::NOWHERE);
+        }
+        &self.span
+    }
+}
+
+/// Every [`Leaf`] can be seen.
+macro_rules! leaf {
+    ([$($generics:tt)*] $Solid:ty) => {
+        impl<$($generics)*, R> $crate::solid::Project<R> for $Solid
+        where
+            Self: $crate::solid::row::Leaf<R>,
+        {
+            type View = Option<<Self as $crate::solid::row::Leaf<R>>::View>;
+            type Row =
+                $crate::solid::row::LeafRow<Self::Scalar, <Self as $crate::solid::row::Leaf<R>>::Row>;
+
+            fn view(&self, rays: &R, view: &mut Self::View) {
+                *view = Some($crate::solid::row::Leaf::seen_along(self, rays));
+            }
+
+            fn row(&self, view: &Self::View, y: i32, row: &mut Self::Row) {
+                if let Some(view) = view {
+                    row.set($crate::solid::row::Leaf::in_row(self, view, y));
+                }
+            }
+
+            #[inline]
+            fn outlook(row: &Self::Row, column: u32) -> $crate::solid::row::Outlook {
+                $crate::solid::row::Outlook::of(row.extent, column)
+            }
+
+            #[inline]
+            fn enter(_: &mut Self::Row, _: u32) {}
+
+            #[inline]
+            fn spans_at(
+                &self,
+                view: &Self::View,
+                row: &Self::Row,
+                column: $crate::geom::Column,
+                first: $crate::span::Face,
+                stack: &mut $crate::span::SpanStack<'_, Self::Scalar>,
+            ) {
+                let (Some(view), Some(row)) = (view, &row.row) else { return };
+                if let Some(span) = $crate::solid::row::Leaf::span(self, view, row, column.x) {
+                    stack.put(span.with_faces_from(first));
+                }
+            }
+
+            #[inline]
+            fn holds(
+                &self,
+                view: &Self::View,
+                row: &mut Self::Row,
+                x: i32,
+                t: Self::Scalar,
+            ) -> bool {
+                let Some(view) = view else { return false };
+                row.cached(x, |row| $crate::solid::row::Leaf::span(self, view, row, x)).holds(t)
+            }
+
+            #[inline]
+            fn next(
+                &self,
+                view: &Self::View,
+                row: &mut Self::Row,
+                x: i32,
+                from: $crate::solid::row::Start<Self::Scalar>,
+            ) -> $crate::span::Crossing<Self::Scalar> {
+                let Some(view) = view else { return $crate::span::Crossing::NEVER };
+                let span = row.cached(x, |row| $crate::solid::row::Leaf::span(self, view, row, x));
+                let crossing = span.next(from.t, from.inside);
+                $crate::span::Crossing { face: from.first.offset(crossing.face.0), ..crossing }
+            }
+        }
+    };
+}
+
+/// The methods of [`Project`] for a solid around the solid `T`, seen along rays of its own.
+macro_rules! project_as_within {
+    (|$around:ident, $rays:ident| $own:expr) => {
+        fn view(&self, $rays: &R, view: &mut Self::View) {
+            let $around = self;
+            self.solid.view($own, view);
+        }
+
+        fn row(&self, view: &Self::View, y: i32, row: &mut Self::Row) {
+            self.solid.row(view, y, row);
+        }
+
+        fn outlook(row: &Self::Row, column: u32) -> $crate::solid::row::Outlook {
+            T::outlook(row, column)
+        }
+
+        fn enter(row: &mut Self::Row, column: u32) {
+            T::enter(row, column);
+        }
+
+        #[inline]
+        fn spans_at(
+            &self,
+            view: &Self::View,
+            row: &Self::Row,
+            column: $crate::geom::Column,
+            first: Face,
+            stack: &mut SpanStack<'_, Self::Scalar>,
+        ) {
+            self.solid.spans_at(view, row, column, first, stack);
+        }
+
+        #[inline]
+        fn holds(&self, view: &Self::View, row: &mut Self::Row, x: i32, t: Self::Scalar) -> bool {
+            self.solid.holds(view, row, x, t)
+        }
+
+        #[inline]
+        fn next(
+            &self,
+            view: &Self::View,
+            row: &mut Self::Row,
+            x: i32,
+            from: $crate::solid::row::Start<Self::Scalar>,
+        ) -> $crate::span::Crossing<Self::Scalar> {
+            self.solid.next(view, row, x, from)
+        }
+    };
+}
+
+pub(super) use {leaf, project_as_within};

@@ -90,7 +90,7 @@ pub(super) fn vector_row<T: Real>([middle, right, down]: [Vec3<T>; 3], y: i32) -
 ///
 /// In the image plane the ball is a disc, and a row cuts a chord out of it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct ParallelBall<S: Scalar> {
+pub struct ParallelBall<S: Scalar> {
     /// The pixel, seen from the ball's centre, along its row.
     pub(super) along: Affine<S::Fine>,
     /// The middle row, seen from the ball's centre.
@@ -128,7 +128,7 @@ impl<S: Scalar> ParallelBall<S> {
 /// d = (x, y, 1). It meets the ball around c where `r²|d|² − |c × d|² ≥ 0`, with c as seen from the
 /// eye. Both vectors are affine in the column, and the eye's distance cancels out of the second.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct PencilBall<S: Scalar> {
+pub struct PencilBall<S: Scalar> {
     /// As seen from the middle of the picture, in the camera's frame.
     center: Vec3<S::Fine>,
     radius: S::Fine,

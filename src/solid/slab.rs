@@ -1,7 +1,7 @@
 //! The slab: what lies between two parallel planes. Three slabs make a box.
 
 use super::intersect::{Intersect, Passage};
-use super::row::{ConvexRow, Leaf, Project, View};
+use super::row::{Leaf, leaf};
 use super::{Shape, Solid};
 use crate::geom::{Affine, Direction, Extent, Line, Parallel, Pencil, Vec3};
 use crate::scalar::{Check, FixedI32, Fraction, Number, Real, Scalar};
@@ -204,15 +204,46 @@ impl<S: Intersect> Solid for Slab<S> {
     }
 }
 
-impl<S: Scalar> Project<Parallel<S>> for Slab<S> {
-    type View<'a> = ParallelView<S>;
+impl<S: Scalar> Leaf<Parallel<S>> for Slab<S> {
+    type View = ParallelView<S>;
+    type Row = ParallelRow<S>;
 
-    fn view(&self, rays: &Parallel<S>) -> ParallelView<S> {
-        ParallelView {
-            slab: *self,
-            height: rays.steps(Vec3::ZERO).map(|step| self.normal.dot_fine(step)),
-            speed: self.normal.dot_fine(rays.forward),
-            columns: rays.columns,
+    fn seen_along(&self, rays: &Parallel<S>) -> ParallelView<S> {
+        let speed = self.normal.dot_fine(rays.forward);
+        let inverse = if speed.is_divisor() { S::Fine::ONE / speed } else { S::Fine::ZERO };
+        let height = rays.steps(Vec3::ZERO).map(|step| self.normal.dot_fine(step));
+        ParallelView { height, speed, inverse, step: -height[1] * inverse, columns: rays.columns }
+    }
+
+    fn in_row(&self, view: &ParallelView<S>, y: i32) -> (ParallelRow<S>, Extent) {
+        (self.parallel_row(view, y), Extent::all(view.columns))
+    }
+
+    #[inline]
+    fn span(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32) -> Option<Span<S>> {
+        match *row {
+            ParallelRow::Across { low, high } => {
+                let step = view.step;
+                let at = [low, high].map(|middle| S::from_fine(Affine { middle, step }.at(x)));
+                Passage::Across { at, upwards: view.speed > S::Fine::ZERO }.span()
+            }
+            ParallelRow::EdgeOn { height, speed } => self.passage(height.at(x), speed).span(),
+        }
+    }
+}
+
+impl<S: Scalar> Slab<S> {
+    pub(super) fn parallel_row(&self, view: &ParallelView<S>, y: i32) -> ParallelRow<S> {
+        let height = Affine::row(view.height, y);
+        if view.inverse == S::Fine::ZERO {
+            return ParallelRow::EdgeOn { height, speed: S::Fine::ZERO };
+        }
+        let [low, high] =
+            [self.low, self.high].map(|offset| (offset.fine() - height.middle) * view.inverse);
+        if [low, high].iter().all(|at| at.holds_steps(view.step, view.columns as i32)) {
+            ParallelRow::Across { low, high }
+        } else {
+            ParallelRow::EdgeOn { height, speed: view.speed }
         }
     }
 }
@@ -220,40 +251,15 @@ impl<S: Scalar> Project<Parallel<S>> for Slab<S> {
 /// A slab, seen along parallel rays.
 #[derive(Debug, Clone, Copy)]
 pub struct ParallelView<S: Scalar> {
-    slab: Slab<S>,
     /// normal·p in the middle of the image plane, and its steps.
     height: [S::Fine; 3],
     /// normal·d.
     speed: S::Fine,
-    columns: u32,
-}
-
-impl<S: Scalar> ParallelView<S> {
-    pub(super) fn slab_row(&self, y: i32) -> ParallelRow<S> {
-        let height = Affine::row(self.height, y);
-        let edge_on = |speed| ParallelRow::EdgeOn { slab: self.slab, height, speed };
-        if !self.speed.is_divisor() {
-            return edge_on(S::Fine::ZERO);
-        }
-        let inverse = S::Fine::ONE / self.speed;
-        let at = |offset: S| (offset.fine() - height.middle) * inverse;
-        let (low, high) = (at(self.slab.low), at(self.slab.high));
-        let step = -height.step * inverse;
-        let reach = self.columns as i32;
-        if !(low.holds_steps(step, reach) && high.holds_steps(step, reach)) {
-            return edge_on(self.speed);
-        }
-        ParallelRow::Across { low, high, step, upwards: self.speed > S::Fine::ZERO }
-    }
-}
-
-impl<S: Scalar> View for ParallelView<S> {
-    type Scalar = S;
-    type Row<'a> = Leaf<ParallelRow<S>>;
-
-    fn row(&self, y: i32) -> Self::Row<'_> {
-        Leaf { row: self.slab_row(y), extent: Extent::all(self.columns) }
-    }
+    /// 1/speed, or 0 if the rays run along the planes.
+    inverse: S::Fine,
+    /// What half a column adds to where the planes are crossed.
+    pub(super) step: S::Fine,
+    pub(super) columns: u32,
 }
 
 /// A row of a slab, seen along parallel rays.
@@ -265,15 +271,9 @@ pub enum ParallelRow<S: Scalar> {
         low: S::Fine,
         /// Where it crosses the high plane.
         high: S::Fine,
-        /// What half a column adds to both.
-        step: S::Fine,
-        /// Whether the low plane comes first.
-        upwards: bool,
     },
     /// The rays run along the planes, or almost.
     EdgeOn {
-        /// The slab.
-        slab: Slab<S>,
         /// normal·p.
         height: Affine<S::Fine>,
         /// normal·d.
@@ -281,94 +281,58 @@ pub enum ParallelRow<S: Scalar> {
     },
 }
 
-impl<S: Scalar> ParallelRow<S> {
-    #[inline]
-    pub(super) fn span(&self, x: i32) -> Option<Span<S>> {
-        match *self {
-            Self::Across { low, high, step, upwards } => {
-                let at = [low, high].map(|middle| S::from_fine(Affine { middle, step }.at(x)));
-                Passage::Across { at, upwards }.span()
-            }
-            Self::EdgeOn { slab, height, speed } => slab.passage(height.at(x), speed).span(),
+impl<S: Scalar> Leaf<Pencil<S>> for Slab<S> {
+    type View = PencilView<S>;
+    type Row = PencilRow<S>;
+
+    fn seen_along(&self, rays: &Pencil<S>) -> PencilView<S> {
+        PencilView {
+            height: rays.plane.steps(Vec3::ZERO).map(|step| self.normal.dot_fine(step)),
+            speed: self.normal.dot_fine(rays.plane.forward),
+            convergence: rays.convergence,
+            columns: rays.plane.columns,
         }
     }
-}
 
-impl<S: Scalar> Project<Pencil<S>> for Slab<S> {
-    type View<'a> = PencilView<S>;
-
-    fn view(&self, rays: &Pencil<S>) -> PencilView<S> {
-        PencilView { plane: self.view_parallel(&rays.plane), convergence: rays.convergence }
+    fn in_row(&self, view: &PencilView<S>, y: i32) -> (PencilRow<S>, Extent) {
+        (PencilRow::new(view, y), Extent::all(view.columns))
     }
-}
 
-impl<S: Scalar> Slab<S> {
-    fn view_parallel(&self, rays: &Parallel<S>) -> ParallelView<S> {
-        <Self as Project<Parallel<S>>>::view(self, rays)
+    #[inline]
+    fn span(&self, _: &PencilView<S>, row: &PencilRow<S>, x: i32) -> Option<Span<S>> {
+        self.passage(row.height.at(x), row.speed.at(x)).span()
     }
 }
 
 /// A slab, seen from an eye.
 #[derive(Debug, Clone, Copy)]
 pub struct PencilView<S: Scalar> {
-    /// The image plane: where the rays have t = 0.
-    plane: ParallelView<S>,
-    convergence: S::Fine,
-}
-
-impl<S: Scalar> PencilView<S> {
-    pub(super) fn slab_row(&self, y: i32) -> PencilRow<S> {
-        let [_, right, down] = self.plane.height;
-        let offset = Affine::row([S::Fine::ZERO, right, down], y);
-        let turn = offset.times(self.convergence);
-        let plus = |middle: S::Fine, offset: Affine<S::Fine>| Affine {
-            middle: middle + offset.middle,
-            ..offset
-        };
-        PencilRow {
-            slab: self.plane.slab,
-            height: plus(self.plane.height[0], offset),
-            speed: plus(self.plane.speed, turn),
-        }
-    }
-}
-
-impl<S: Scalar> View for PencilView<S> {
-    type Scalar = S;
-    type Row<'a> = Leaf<PencilRow<S>>;
-
-    fn row(&self, y: i32) -> Self::Row<'_> {
-        Leaf { row: self.slab_row(y), extent: Extent::all(self.plane.columns) }
-    }
+    /// normal·p in the image plane, where the rays have t = 0, and its steps.
+    height: [S::Fine; 3],
+    /// normal·d in the middle.
+    speed: S::Fine,
+    pub(super) convergence: S::Fine,
+    pub(super) columns: u32,
 }
 
 /// A row of a slab, seen from an eye.
 #[derive(Debug, Clone, Copy)]
 pub struct PencilRow<S: Scalar> {
-    slab: Slab<S>,
     height: Affine<S::Fine>,
     speed: Affine<S::Fine>,
 }
 
 impl<S: Scalar> PencilRow<S> {
-    #[inline]
-    pub(super) fn span(&self, x: i32) -> Option<Span<S>> {
-        self.slab.passage(self.height.at(x), self.speed.at(x)).span()
+    pub(super) fn new(view: &PencilView<S>, y: i32) -> Self {
+        let [height, right, down] = view.height;
+        let offset = Affine::row([S::Fine::ZERO, right, down], y);
+        let turn = offset.times(view.convergence);
+        let plus = |middle: S::Fine, offset: Affine<S::Fine>| Affine {
+            middle: middle + offset.middle,
+            ..offset
+        };
+        Self { height: plus(height, offset), speed: plus(view.speed, turn) }
     }
 }
 
-macro_rules! convex_rows {
-    ($($Row:ident),+) => {$(
-        impl<S: Scalar> ConvexRow for $Row<S> {
-            type Scalar = S;
-            const FACES: u16 = 2;
-
-            #[inline]
-            fn span(&self, x: i32) -> Option<Span<S>> {
-                $Row::span(self, x)
-            }
-        }
-    )+};
-}
-
-convex_rows!(ParallelRow, PencilRow);
+leaf!([S: Scalar] Slab<S>);

@@ -1,10 +1,10 @@
 //! The sphere (as a solid: the ball).
 
 use super::intersect::Intersect;
-use super::row::{ConvexRow, Leaf, Project, View};
+use super::row::{Leaf, leaf};
 use super::silhouette::{ParallelBall, PencilBall};
 use super::{Shape, Solid};
-use crate::geom::{Affine, Line, Parallel, Pencil, Vec3};
+use crate::geom::{Affine, Extent, Line, Parallel, Pencil, Vec3};
 use crate::scalar::{Check, Chord, FixedI32, Fraction, Scalar};
 use crate::span::{Crossing, Face, Span, SpanStack};
 
@@ -13,9 +13,11 @@ use crate::span::{Crossing, Face, Span, SpanStack};
 /// One face.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Sphere<S> {
+pub struct Sphere<S: Scalar> {
     center: Vec3<S>,
     radius: S,
+    /// 1/radius.
+    curvature: S::Factor,
 }
 
 /// Why a sphere can't be made.
@@ -57,7 +59,7 @@ macro_rules! constructors {
                 if !center.is_within_reach() {
                     return Err(SphereError::TooFar);
                 }
-                Ok(Self { center, radius })
+                Ok(Self { center, radius, curvature: Check::<$Scalar>::inverse(radius) })
             }
         }
     )+};
@@ -92,18 +94,34 @@ impl<S: Intersect> Solid for Sphere<S> {
     }
 
     fn normal(&self, _: Face, at: Vec3<S>) -> Vec3<S> {
-        Vec3::from(S::divided((at - self.center).to_array(), self.radius))
+        (at - self.center).map(|coordinate| coordinate.scaled(self.curvature))
     }
 }
 
-impl<S: Scalar> Project<Parallel<S>> for Sphere<S> {
-    type View<'a> = ParallelView<S>;
+impl<S: Scalar> Leaf<Parallel<S>> for Sphere<S> {
+    type View = ParallelView<S>;
+    type Row = ParallelRow<S>;
 
-    fn view(&self, rays: &Parallel<S>) -> ParallelView<S> {
+    fn seen_along(&self, rays: &Parallel<S>) -> ParallelView<S> {
         ParallelView {
             ball: ParallelBall::new(self.center.fine(), self.radius.fine(), rays),
             middle: -(rays.center - self.center.fine()).dot_compensated(rays.forward),
         }
+    }
+
+    fn in_row(&self, view: &ParallelView<S>, y: i32) -> (ParallelRow<S>, Extent) {
+        let row = ParallelRow {
+            // The radius of the circle that the row cuts out.
+            radius: S::leg(S::from_fine(view.ball.radius), S::from_fine(view.ball.row_distance(y))),
+            middle: S::from_fine(view.middle),
+        };
+        (row, view.ball.extent(y))
+    }
+
+    #[inline]
+    fn span(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32) -> Option<Span<S>> {
+        let half = S::leg(row.radius?, S::from_fine(view.ball.along.at(x)))?;
+        span(row.middle.minus(half), row.middle.plus(half))
     }
 }
 
@@ -114,75 +132,39 @@ pub struct ParallelView<S: Scalar> {
     middle: S::Fine,
 }
 
-impl<S: Scalar> View for ParallelView<S> {
-    type Scalar = S;
-    type Row<'a> = Leaf<ParallelRow<S>>;
-
-    fn row(&self, y: i32) -> Self::Row<'_> {
-        Leaf {
-            row: ParallelRow {
-                // The radius of the circle that the row cuts out.
-                radius: S::leg(
-                    S::from_fine(self.ball.radius),
-                    S::from_fine(self.ball.row_distance(y)),
-                ),
-                along: self.ball.along,
-                middle: S::from_fine(self.middle),
-            },
-            extent: self.ball.extent(y),
-        }
-    }
-}
-
 /// A row of a sphere, seen along parallel rays.
 #[derive(Debug, Clone, Copy)]
 pub struct ParallelRow<S: Scalar> {
     radius: Option<S>,
-    along: Affine<S::Fine>,
     middle: S,
 }
 
-impl<S: Scalar> ConvexRow for ParallelRow<S> {
-    type Scalar = S;
-    const FACES: u16 = 1;
+impl<S: Scalar> Leaf<Pencil<S>> for Sphere<S> {
+    type View = PencilBall<S>;
+    type Row = PencilRow<S>;
+
+    fn seen_along(&self, rays: &Pencil<S>) -> PencilBall<S> {
+        PencilBall::new(self.center.fine(), self.radius.fine(), rays)
+    }
+
+    fn in_row(&self, view: &PencilBall<S>, y: i32) -> (PencilRow<S>, Extent) {
+        let row = PencilRow {
+            moment: view.moment(y),
+            from_center: view.position(y),
+            direction: view.direction(y),
+        };
+        (row, view.extent(y))
+    }
 
     #[inline]
-    fn span(&self, x: i32) -> Option<Span<S>> {
-        let half = S::leg(self.radius?, S::from_fine(self.along.at(x)))?;
-        span(self.middle.minus(half), self.middle.plus(half))
-    }
-}
-
-impl<S: Scalar> Project<Pencil<S>> for Sphere<S> {
-    type View<'a> = PencilView<S>;
-
-    fn view(&self, rays: &Pencil<S>) -> PencilView<S> {
-        PencilView {
-            ball: PencilBall::new(self.center.fine(), self.radius.fine(), rays),
-            radius: self.radius,
+    fn span(&self, _: &PencilBall<S>, row: &PencilRow<S>, x: i32) -> Option<Span<S>> {
+        let lengths = |of: [Affine<S::Fine>; 3]| of.map(|part| S::from_fine(part.at(x)));
+        let direction = row.direction.map(|part| S::unit(part.at(x)));
+        let (k, q) = (lengths(row.moment), lengths(row.from_center));
+        match S::chord(self.radius, k, q, direction) {
+            Chord::Between(enter, exit) => span(enter, exit),
+            Chord::Beside | Chord::Along => None,
         }
-    }
-}
-
-/// A sphere, seen from an eye.
-#[derive(Debug, Clone, Copy)]
-pub struct PencilView<S: Scalar> {
-    ball: PencilBall<S>,
-    radius: S,
-}
-
-impl<S: Scalar> View for PencilView<S> {
-    type Scalar = S;
-    type Row<'a> = Leaf<PencilRow<S>>;
-
-    fn row(&self, y: i32) -> Self::Row<'_> {
-        let row = PencilRow {
-            moment: self.ball.moment(y),
-            from_center: self.ball.position(y),
-            direction: self.ball.direction(y),
-            radius: self.radius,
-        };
-        Leaf { row, extent: self.ball.extent(y) }
     }
 }
 
@@ -193,21 +175,6 @@ pub struct PencilRow<S: Scalar> {
     moment: [Affine<S::Fine>; 3],
     from_center: [Affine<S::Fine>; 3],
     direction: [Affine<S::Fine>; 3],
-    radius: S,
 }
 
-impl<S: Scalar> ConvexRow for PencilRow<S> {
-    type Scalar = S;
-    const FACES: u16 = 1;
-
-    #[inline]
-    fn span(&self, x: i32) -> Option<Span<S>> {
-        let lengths = |of: [Affine<S::Fine>; 3]| of.map(|part| S::from_fine(part.at(x)));
-        let direction = self.direction.map(|part| S::unit(part.at(x)));
-        let (k, q) = (lengths(self.moment), lengths(self.from_center));
-        match S::chord(self.radius, k, q, direction) {
-            Chord::Between(enter, exit) => span(enter, exit),
-            Chord::Beside | Chord::Along => None,
-        }
-    }
-}
+leaf!([S: Scalar] Sphere<S>);

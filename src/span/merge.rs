@@ -31,6 +31,14 @@ impl Operation {
         self.0 >> (in_left as u8 + 2 * in_right as u8) & 1 != 0
     }
 
+    /// Whether a line can be inside the result, where it can be inside the operands or not.
+    #[must_use]
+    pub(crate) const fn may_hold(self, left: bool, right: bool) -> bool {
+        left && self.holds(true, false)
+            || right && self.holds(false, true)
+            || left && right && self.holds(true, true)
+    }
+
     /// Whether the result is empty wherever the left operand is.
     #[must_use]
     pub const fn needs_left(self) -> bool {

@@ -38,6 +38,11 @@ pub struct Crossing<S> {
     pub face: Face,
 }
 
+impl<S: Scalar> Crossing<S> {
+    /// No crossing.
+    pub(crate) const NEVER: Self = Self { t: S::HIGHEST, face: Face(0) };
+}
+
 /// A piece of a line inside a solid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -60,6 +65,25 @@ impl<S: Scalar> Span<S> {
     #[inline]
     pub(crate) fn checked(self) -> Option<Self> {
         Self::new(self.enter, self.exit)
+    }
+
+    /// No piece of a line.
+    pub(crate) const NOWHERE: Self = Self { enter: Crossing::NEVER, exit: Crossing::NEVER };
+
+    /// Whether a line is in the span just behind `t`.
+    #[inline]
+    pub(crate) fn holds(&self, t: S) -> bool {
+        self.enter.t <= t && t < self.exit.t
+    }
+
+    /// The crossing behind `t`, where just behind `t` the line is `inside` the span or not.
+    #[inline]
+    pub(crate) fn next(&self, t: S, inside: bool) -> Crossing<S> {
+        match inside {
+            true => self.exit,
+            false if t < self.enter.t => self.enter,
+            false => Crossing::NEVER,
+        }
     }
 
     /// The whole line, which touches `face` nowhere.

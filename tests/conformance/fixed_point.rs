@@ -386,14 +386,14 @@ where
         let picture = Picture::new(solid, camera, size, shader, Gray8(7));
         let mut list = SpanList::<S, 16>::new();
         for y in [0, height / 2, height - 1] {
-            let scanline = picture.scanline(y).unwrap();
+            let mut scanline = picture.scanline(y).unwrap();
             let mut row = vec![Gray8(0); width.into()];
-            scanline.render(&mut list, &mut row).unwrap();
+            scanline.render(&mut row).unwrap();
             for x in [0, 1, width / 3, width / 2, width - 1] {
                 let x = x.min(width - 1);
                 let spans = scanline.spans(x, &mut list);
                 prop_assert!(is_regular(spans), "{spans:?}");
-                let is_seen = scanline.seen(x, &mut list).is_some();
+                let is_seen = scanline.seen(x).is_some();
                 prop_assert!(is_seen || row[usize::from(x)] == Gray8(7));
             }
         }

@@ -6,7 +6,6 @@ use scancsg::render::{
     Depth, Gray8, Lambert, Orthographic, Picture, Pixel, PixelFormat, Rgb565, Shader, Size,
 };
 use scancsg::solid::{Painted, Rgb, Solid};
-use scancsg::span::SpanList;
 use scancsg::stream::{Decoder, Event, FrameHeader, Receiver, Sender, packet_capacity};
 
 for_every_number!(grey, colours);
@@ -25,18 +24,17 @@ fn over_the_line<S: Tested, P: Pixel + std::fmt::Debug>(shader: impl Shader<S> +
     let size = Size::new(WIDTH, HEIGHT).unwrap();
     let black = P::shaded(Rgb::WHITE, 0);
     let picture = Picture::new(&part, &camera, size, shader, black);
-    let mut list = SpanList::<S, 8>::new();
     let mut row = [black; WIDTH as usize];
     let mut rendered = Vec::new();
 
     let mut sender = Sender::<Vec<u8>, CAPACITY>::new(Vec::new());
     let header = FrameHeader { frame: 3, width: WIDTH, height: HEIGHT, format: P::FORMAT };
     sender.begin(header).unwrap();
-    for scanline in picture.scanlines() {
-        scanline.render(&mut list, &mut row).unwrap();
+    for mut scanline in picture.scanlines() {
+        scanline.render(&mut row).unwrap();
         sender.row(scanline.y(), &row).unwrap();
         rendered.extend(row.iter().flat_map(|pixel| pixel.to_le_bytes().as_ref().to_vec()));
-        let sees = |x| scanline.seen(x, &mut list).is_some();
+        let sees = |x| scanline.seen(x).is_some();
         let is_black: Vec<bool> = row.iter().map(|pixel| *pixel == black).collect();
         assert!((0..WIDTH).map(sees).zip(is_black).all(|(sees, black)| sees || black));
     }

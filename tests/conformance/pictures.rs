@@ -92,12 +92,11 @@ where
     let [width, height] = size;
     let shader = XRay::new(S::ONE).unwrap();
     let picture = Picture::new(solid, camera, Size::new(width, height).unwrap(), shader, Gray8(0));
-    let mut list = SpanList::<S, 64>::new();
     let mut found = Found::default();
-    for scanline in picture.scanlines() {
+    for mut scanline in picture.scanlines() {
         for x in 0..width {
             let pixel = [x, scanline.y()];
-            let got = scanline.seen(x, &mut list).map(|seen| seen.t.to_f64());
+            let got = scanline.seen(x).map(|seen| seen.t.to_f64());
             let depth = |ray: &ModelRay| model.seen(ray, view.start()).map(|seen| seen.t);
             let want = depth(&view.ray(pixel, size, [0.0; 2]));
             found.covered += usize::from(got.is_some());
@@ -268,10 +267,9 @@ fn tee_covers_41937_pixels() {
     let camera = scene::f32::orthographic().unwrap();
     let size = Size::new(320, 240).unwrap();
     let picture = Picture::new(&scene::f32::TEE, &camera, size, XRay::new(1.0).unwrap(), Gray8(0));
-    let mut list = SpanList::<f32, 64>::new();
     let covered: usize = picture
         .scanlines()
-        .map(|row| (0..320).filter(|&x| row.seen(x, &mut list).is_some()).count())
+        .map(|mut row| (0..320).filter(|&x| row.seen(x).is_some()).count())
         .sum();
     assert_eq!(covered, 41_937);
 }
@@ -518,10 +516,9 @@ fn check_levels_seen<S, C, H>(
     let to_byte = |level: f64| (level.clamp(0.0, 1.0) * 255.0).round();
     let of = |ray: &ModelRay| level(model, ray, view.start()).map_or(0.0, to_byte);
     let picture = Picture::new(solid, camera, Size::new(80, 60).unwrap(), shader, Gray8(0));
-    let mut list = SpanList::<S, 64>::new();
     let mut row = [Gray8(0); 80];
-    for scanline in picture.scanlines() {
-        scanline.render(&mut list, &mut row).unwrap();
+    for mut scanline in picture.scanlines() {
+        scanline.render(&mut row).unwrap();
         for (x, &Gray8(got)) in (0..).zip(&row) {
             let (pixel, got) = ([x, scanline.y()], f64::from(got));
             let want = of(&view.ray(pixel, size, [0.0; 2]));

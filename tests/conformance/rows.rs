@@ -4,7 +4,7 @@ use crate::number::{Tested, ball, between, rod, vector};
 use proptest::prelude::*;
 use scancsg::geom::{Column, Rays, Vec3};
 use scancsg::render::{Camera, Gray8, Orthographic, Perspective, Picture, Size, XRay};
-use scancsg::solid::{Project, Row, Solid, View};
+use scancsg::solid::{Blank, Project, Solid};
 use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
 
 for_every_number!(
@@ -30,10 +30,9 @@ where
 {
     let size = Size::new(side, side).unwrap();
     let picture = Picture::new(solid, camera, size, XRay::new(S::ONE).unwrap(), Gray8(0));
-    let mut list = SpanList::<S, 8>::new();
     picture
         .scanlines()
-        .map(|line| (0..side).map(|x| line.seen(x, &mut list).is_some()).collect())
+        .map(|mut line| (0..side).map(|x| line.seen(x).is_some()).collect())
         .collect()
 }
 
@@ -83,7 +82,7 @@ fn an_x_ray_begins_at_the_eye<S: Tested>() {
     let size = Size::new(1, 1).unwrap();
     let picture = Picture::new(&ball, &camera, size, XRay::new(S::near(10.0)).unwrap(), Gray8(0));
     let mut pixel = [Gray8(0)];
-    picture.scanline(0).unwrap().render(&mut SpanList::<S, 1>::new(), &mut pixel).unwrap();
+    picture.scanline(0).unwrap().render(&mut pixel).unwrap();
     // 3 of the ball's 4 units are in front of the eye: 0.3 · 255 is 76.5, rounded either way in
     // fixed point, whose 1/10 is a little more or less than that.
     assert!(pixel == [Gray8(77)] || S::IS_FIXED && pixel == [Gray8(76)], "{pixel:?}");
@@ -141,15 +140,15 @@ where
     R: Rays<Scalar = S>,
     T: Solid<Scalar = S> + Project<R>,
 {
-    let view = solid.view(rays);
+    let (mut view, mut row) = (T::View::BLANK, T::Row::BLANK);
+    solid.view(rays, &mut view);
     let mut list = SpanList::<S, 1>::new();
     for y in 0..height {
-        let row = view.row(2 * i32::from(y) + 1 - i32::from(height));
-        let extent = row.extent();
-        for index in (0..rays.columns()).filter(|index| !extent.contains(*index)) {
+        solid.row(&view, 2 * i32::from(y) + 1 - i32::from(height), &mut row);
+        for index in (0..rays.columns()).filter(|index| !T::outlook(&row, *index).is_there) {
             let x = 2 * index as i32 + 1 - rays.columns() as i32;
-            row.spans(Column { index, x }, Face(0), &mut list.stack());
-            prop_assert!(list.is_empty(), "column {} of row {}, {:?}", index, y, extent);
+            solid.spans_at(&view, &row, Column { index, x }, Face(0), &mut list.stack());
+            prop_assert!(list.is_empty(), "column {} of row {}", index, y);
         }
     }
     Ok(())
@@ -200,19 +199,18 @@ fn a_row_is_its_runs<S: Tested>() {
     let camera = Perspective::look_at(eye, Vec3::ZERO, up(), S::ONE).unwrap();
     let size = Size::new(41, 30).unwrap();
     let picture = Picture::new(&part, &camera, size, XRay::new(S::ONE).unwrap(), Gray8(9));
-    let mut list = SpanList::<S, 16>::new();
     let (mut has_background, mut has_part) = (false, false);
-    for scanline in picture.scanlines() {
+    for mut scanline in picture.scanlines() {
         let [mut whole, mut pieces] = [[Gray8(1); 41], [Gray8(2); 41]];
-        scanline.render(&mut list, &mut whole).unwrap();
+        scanline.render(&mut whole).unwrap();
         let mut next = 0;
-        for run in scanline.runs() {
+        while let Some(run) = scanline.run(next) {
             assert!(run.columns.start == next && run.columns.end > next, "{run:?}");
             next = run.columns.end;
             let columns = usize::from(run.columns.start)..usize::from(run.columns.end);
             has_background |= run.is_background;
             has_part |= !run.is_background;
-            scanline.render_run(&run, &mut list, &mut pieces[columns]).unwrap();
+            scanline.render_run(&run, &mut pieces[columns]).unwrap();
         }
         assert_eq!((whole, next), (pieces, 41));
     }

@@ -8,8 +8,7 @@ use crate::scene::{Scene, Tee};
 use scancsg::geom::Parallel;
 use scancsg::render::{Gray8, Lambert, Picture, Size};
 use scancsg::scalar::I16F16;
-use scancsg::solid::{Project, Shape};
-use scancsg::span::SpanList;
+use scancsg::solid::Project;
 use std::io::Read;
 use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
@@ -199,11 +198,10 @@ where
     let light = Lambert::new(S::TO_LIGHT, S::hundredths(15)).map_err(|error| text(&error))?;
     let tee = S::TEE;
     let picture = Picture::new(&tee, &camera, size, light, Gray8(0));
-    let mut spans = SpanList::<S, { <Tee<f32> as Shape>::STACK }>::new();
     let mut row = vec![Gray8(0); usize::from(size.width())];
     let mut bytes = Vec::new();
-    for scanline in picture.scanlines() {
-        scanline.render(&mut spans, &mut row).map_err(|error| text(&error))?;
+    for mut scanline in picture.scanlines() {
+        scanline.render(&mut row).map_err(|error| text(&error))?;
         bytes.extend(row.iter().map(|pixel| pixel.0));
     }
     Ok(bytes)

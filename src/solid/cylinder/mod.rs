@@ -7,6 +7,7 @@ mod tube;
 pub(super) use tube::Tube;
 
 use super::intersect::Intersect;
+use super::row::leaf;
 use super::slab::{Slab, SlabError};
 use super::{Shape, Solid};
 use crate::geom::{Direction, Line, Vec3};
@@ -46,6 +47,8 @@ crate::error_text!(CylinderError {
     TooFar => "the cylinder is too far away for its number type",
     Empty => "the cylinder has no length: its ends coincide or are the wrong way round",
 });
+
+leaf!([S: Scalar] Cylinder<S>);
 
 pub(super) const WALL: Face = Face(2);
 
@@ -147,7 +150,10 @@ macro_rules! constructors {
                     return Err(CylinderError::TooFar);
                 }
                 match Slab::<$Scalar>::between(axis, low, high) {
-                    Ok(caps) => Ok(Self { tube: Tube { base, radius }, caps }),
+                    Ok(caps) => {
+                        let curvature = Check::<$Scalar>::inverse(radius);
+                        Ok(Self { tube: Tube { base, radius, curvature }, caps })
+                    }
                     Err(SlabError::NotFinite) => Err(CylinderError::NotFinite),
                     Err(SlabError::TooFar) => Err(CylinderError::TooFar),
                     Err(_) => Err(CylinderError::Empty),

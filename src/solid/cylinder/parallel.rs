@@ -5,17 +5,18 @@
 //! `middle ± √(r² − κ²) · stretch`, with an affine middle and `stretch` = 1/|d × axis|.
 
 use super::{Cylinder, WALL, wall_span};
-use crate::geom::{Affine, Parallel, Vec3};
+use crate::geom::{Affine, Extent, Parallel, Vec3};
 use crate::scalar::{Number, Real, Scalar};
-use crate::solid::row::{ConvexRow, Leaf, Project, View};
+use crate::solid::row::Leaf;
 use crate::solid::silhouette::{ParallelBall, constant, extent, vector_row};
 use crate::solid::slab;
 use crate::span::Span;
 
-impl<S: Scalar> Project<Parallel<S>> for Cylinder<S> {
-    type View<'a> = ParallelView<S>;
+impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
+    type View = ParallelView<S>;
+    type Row = ParallelRow<S>;
 
-    fn view(&self, rays: &Parallel<S>) -> ParallelView<S> {
+    fn seen_along(&self, rays: &Parallel<S>) -> ParallelView<S> {
         let axis = self.caps.normal.fine();
         let m = rays.forward.cross(axis);
         let steps = rays.steps(self.tube.base.fine());
@@ -33,13 +34,47 @@ impl<S: Scalar> Project<Parallel<S>> for Cylinder<S> {
             Wall::Along { moments }
         };
         let (center, ball_radius) = self.bounding_ball();
-        ParallelView {
-            wall,
-            radius: self.tube.radius,
-            caps: self.caps.view(rays),
-            ball: ParallelBall::new(center, ball_radius, rays),
-            columns: rays.columns,
-        }
+        let ball = ParallelBall::new(center, ball_radius, rays);
+        ParallelView { wall, caps: self.caps.seen_along(rays), ball }
+    }
+
+    fn in_row(&self, view: &ParallelView<S>, y: i32) -> (ParallelRow<S>, Extent) {
+        let radius = [constant(self.tube.radius.plus(S::BLUR).fine())];
+        let columns = view.caps.columns;
+        let (wall, silhouette) = match view.wall {
+            Wall::Across { distance, middle, .. } => {
+                let silhouette = extent(&radius, &[Affine::row(distance, y)], columns);
+                let [distance, middle] = [distance, middle].map(|of| Affine::row(of, y).middle);
+                (WallRow::Across { distance, middle }, silhouette)
+            }
+            Wall::Along { moments } => {
+                let moments = vector_row(moments, y);
+                (WallRow::Along { moments }, extent(&radius, &moments, columns))
+            }
+        };
+        let row = ParallelRow { wall, caps: self.caps.parallel_row(&view.caps, y) };
+        (row, silhouette.overlap(view.ball.extent(y)))
+    }
+
+    #[inline]
+    fn span(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32) -> Option<Span<S>> {
+        let within_wall = match (&view.wall, &row.wall) {
+            (
+                Wall::Across { distance: [_, right, _], middle: [_, along, _], stretch },
+                WallRow::Across { distance, middle },
+            ) => {
+                let distance = S::from_fine(distance.after_steps(*right, x));
+                let half = S::leg(self.tube.radius, distance)?.stretched(*stretch);
+                let middle = middle.after_steps(*along, x);
+                wall_span(S::from_fine(middle - half), S::from_fine(middle + half))?
+            }
+            (_, WallRow::Along { moments }) => {
+                let distance = S::length(moments.map(|part| S::from_fine(part.at(x))));
+                if distance < self.tube.radius { Span::whole_line(WALL) } else { return None }
+            }
+            _ => return None,
+        };
+        Leaf::<Parallel<S>>::span(&self.caps, &view.caps, &row.caps, x)?.overlap(within_wall)
     }
 }
 
@@ -47,10 +82,8 @@ impl<S: Scalar> Project<Parallel<S>> for Cylinder<S> {
 #[derive(Debug, Clone, Copy)]
 pub struct ParallelView<S: Scalar> {
     wall: Wall<S>,
-    radius: S,
     caps: slab::ParallelView<S>,
     ball: ParallelBall<S>,
-    columns: u32,
 }
 
 /// The wall: values in the middle of the picture, and their steps to the right and down.
@@ -66,62 +99,16 @@ enum Wall<S: Scalar> {
     Along { moments: [Vec3<S::Fine>; 3] },
 }
 
-impl<S: Scalar> View for ParallelView<S> {
-    type Scalar = S;
-    type Row<'a> = Leaf<ParallelRow<S>>;
-
-    fn row(&self, y: i32) -> Self::Row<'_> {
-        let radius = [constant(self.radius.plus(S::BLUR).fine())];
-        let (wall, silhouette) = match self.wall {
-            Wall::Across { distance, middle, stretch } => {
-                let distance = Affine::row(distance, y);
-                let middle = Affine::row(middle, y);
-                let silhouette = extent(&radius, &[distance], self.columns);
-                (WallRow::Across { distance, middle, stretch }, silhouette)
-            }
-            Wall::Along { moments } => {
-                let moments = vector_row(moments, y);
-                (WallRow::Along { moments }, extent(&radius, &moments, self.columns))
-            }
-        };
-        Leaf {
-            row: ParallelRow { wall, radius: self.radius, caps: self.caps.slab_row(y) },
-            extent: silhouette.overlap(self.ball.extent(y)),
-        }
-    }
-}
-
 /// A row of a cylinder, seen along parallel rays.
 #[derive(Debug, Clone, Copy)]
 pub struct ParallelRow<S: Scalar> {
     wall: WallRow<S>,
-    radius: S,
     caps: slab::ParallelRow<S>,
 }
 
+/// The wall: values in the middle of the row.
 #[derive(Debug, Clone, Copy)]
 enum WallRow<S: Scalar> {
-    Across { distance: Affine<S::Fine>, middle: Affine<S::Fine>, stretch: S::Factor },
+    Across { distance: S::Fine, middle: S::Fine },
     Along { moments: [Affine<S::Fine>; 3] },
-}
-
-impl<S: Scalar> ConvexRow for ParallelRow<S> {
-    type Scalar = S;
-    const FACES: u16 = 3;
-
-    #[inline]
-    fn span(&self, x: i32) -> Option<Span<S>> {
-        let within_wall = match &self.wall {
-            WallRow::Across { distance, middle, stretch } => {
-                let half = S::leg(self.radius, S::from_fine(distance.at(x)))?.stretched(*stretch);
-                let middle = middle.at(x);
-                wall_span(S::from_fine(middle - half), S::from_fine(middle + half))?
-            }
-            WallRow::Along { moments } => {
-                let distance = S::length(moments.map(|part| S::from_fine(part.at(x))));
-                if distance < self.radius { Span::whole_line(WALL) } else { return None }
-            }
-        };
-        self.caps.span(x)?.overlap(within_wall)
-    }
 }

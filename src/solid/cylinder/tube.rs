@@ -7,9 +7,11 @@ use crate::scalar::Scalar;
 /// the slab that cuts the tube.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Tube<S> {
+pub struct Tube<S: Scalar> {
     pub(in crate::solid) base: Vec3<S>,
     pub(in crate::solid) radius: S,
+    /// 1/radius.
+    pub(in crate::solid) curvature: S::Factor,
 }
 
 impl<S: Scalar> Tube<S> {
@@ -30,6 +32,6 @@ impl<S: Scalar> Tube<S> {
             Some(Axis::Z) => Vec3 { z: S::ZERO, ..u },
             None => u - axis.times(axis.dot(u)),
         };
-        Vec3::from(S::divided(across.to_array(), self.radius))
+        across.map(|coordinate| coordinate.scaled(self.curvature))
     }
 }
