@@ -3,7 +3,7 @@
 use super::{Camera, Pixel, Shader, Size};
 use crate::geom::{Column, Line, RayRow, Rays, Vec3};
 use crate::scalar::{Number, Scalar};
-use crate::solid::{Blank, Outlook, Project, Rgb, Seen, Solid, Start};
+use crate::solid::{Blank, Look, Outlook, Project, Rgb, Seen, Solid};
 use crate::span::{Crossing, Face, Span, SpanList};
 use core::ops::Range;
 
@@ -256,9 +256,8 @@ where
     #[inline]
     fn seen_at(&mut self, x: i32) -> Option<Seen<R::Scalar>> {
         let Picture { solid, view, before, .. } = self.picture;
-        let inside = solid.holds(view, &mut self.row, x, *before);
-        let start = Start { t: *before, inside, first: Face(0) };
-        let Crossing { t, face } = solid.next(view, &mut self.row, x, start);
+        let Look { inside, next: Crossing { t, face } } =
+            solid.look(view, &mut self.row, x, *before, Face(0));
         (t < R::Scalar::HIGHEST).then_some(Seen { t, face, inside })
     }
 
@@ -316,8 +315,7 @@ where
         // The surface that is seen has been crossed.
         inside = !inside;
         while t < R::Scalar::HIGHEST {
-            let start = Start { t, inside, first: Face(0) };
-            t = self.solid.next(self.view, self.row, self.x, start).t;
+            t = self.solid.look(self.view, self.row, self.x, t, Face(0)).next.t;
             if inside {
                 sum = sum.plus(t.minus(enter));
             }

@@ -1,10 +1,10 @@
 //! Union, intersection and difference of two solids, and the operators `|`, `&` and `-`.
 
-use super::row::{Blank, Outlook, Project, Start};
+use super::row::{Blank, Look, Outlook, Project};
 use super::{Cylinder, Painted, Placed, Rgb, Shape, Slab, Solid, Sphere};
 use crate::geom::{Column, Line, Vec3};
 use crate::scalar::Scalar;
-use crate::span::{Crossing, Face, Operation, SpanStack};
+use crate::span::{Face, Operation, SpanStack};
 use core::marker::PhantomData;
 use core::ops::{BitAnd, BitOr, Sub};
 
@@ -223,51 +223,51 @@ impl<P, O: Rule, L: Project<P>, R: Project<P, Scalar = L::Scalar>> Project<P> fo
     /// The merge of two lists, with the crossings of either computed when they are needed. While the
     /// left operand is left and needed, that is none of the right one's.
     #[inline]
-    fn next(
+    fn look(
         &self,
         view: &Self::View,
         row: &mut Self::Row,
         x: i32,
-        from: Start<Self::Scalar>,
-    ) -> Crossing<Self::Scalar> {
+        mut t: Self::Scalar,
+        first: Face,
+    ) -> Look<Self::Scalar> {
         let operation = O::OPERATION;
-        let Start { mut t, inside, first } = from;
+        let counts = |left: &Look<Self::Scalar>| left.inside || !operation.needs_left();
         let first_of_right = first.offset(L::FACES);
-        let mut in_left = row.asks_left && self.left.holds(&view.0, &mut row.left, x, t);
-        let mut counts_right = in_left || !operation.needs_left();
-        let mut in_right =
-            counts_right && row.asks_right && self.right.holds(&view.1, &mut row.right, x, t);
-        let (mut left, mut right) = (Crossing::NEVER, Crossing::NEVER);
-        let (mut asks_left, mut asks_right) = (row.asks_left, row.asks_right);
+        let (mut left, mut right) = (Look::EMPTY, Look::EMPTY);
+        if row.asks_left {
+            left = self.left.look(&view.0, &mut row.left, x, t, first);
+        }
+        if row.asks_right && counts(&left) {
+            right = self.right.look(&view.1, &mut row.right, x, t, first_of_right);
+        }
+        let inside = operation.holds(left.inside, right.inside);
         loop {
-            if asks_left {
-                let from = Start { t, inside: in_left, first };
-                left = self.left.next(&view.0, &mut row.left, x, from);
-            }
-            if !counts_right {
-                right = Crossing::NEVER;
-            } else if asks_right {
-                let from = Start { t, inside: in_right, first: first_of_right };
-                right = self.right.next(&view.1, &mut row.right, x, from);
-            }
             // Where both cross, the face is that of the left.
-            let crossing = if right.t < left.t { right } else { left };
-            if crossing.t >= Self::Scalar::HIGHEST {
-                return crossing;
+            let next = if right.next.t < left.next.t { right.next } else { left.next };
+            if next.t >= Self::Scalar::HIGHEST {
+                return Look { inside, next };
             }
-            t = crossing.t;
-            asks_left = left.t <= t;
-            in_left ^= asks_left;
-            asks_right = right.t <= t;
-            in_right ^= asks_right;
-            if operation.needs_left() && asks_left {
-                counts_right = in_left;
-                asks_right = row.asks_right;
-                in_right =
-                    in_left && row.asks_right && self.right.holds(&view.1, &mut row.right, x, t);
+            t = next.t;
+            let (passes_left, mut passes_right) = (left.next.t <= t, right.next.t <= t);
+            left.inside ^= passes_left;
+            right.inside ^= passes_right;
+            if passes_left && operation.needs_left() {
+                passes_right = row.asks_right;
+                right.inside = left.inside
+                    && row.asks_right
+                    && self.right.holds(&view.1, &mut row.right, x, t);
             }
-            if operation.holds(in_left, in_right) != inside {
-                return crossing;
+            if operation.holds(left.inside, right.inside) != inside {
+                return Look { inside, next };
+            }
+            if passes_left {
+                left = self.left.look(&view.0, &mut row.left, x, t, first);
+            }
+            if !counts(&left) {
+                right = Look::EMPTY;
+            } else if passes_right {
+                right = self.right.look(&view.1, &mut row.right, x, t, first_of_right);
             }
         }
     }

@@ -1,11 +1,11 @@
 //! An array of one kind of solid is the union of its elements: a bolt circle, a box of balls.
 
 use super::boolean::spans_inside;
-use super::row::{Blank, Outlook, Project, Start};
+use super::row::{Blank, Look, Outlook, Project};
 use super::{Rgb, Shape, Solid};
 use crate::geom::{Column, Line, Vec3};
 use crate::scalar::Scalar;
-use crate::span::{Crossing, Face, Operation, SpanStack};
+use crate::span::{Face, Operation, SpanStack};
 
 const fn faces_of_group(count: usize, faces: u16) -> u16 {
     assert!(count > 0, "a group of solids needs at least one");
@@ -157,40 +157,50 @@ impl<P, T: Project<P>, const N: usize> Project<P> for [T; N] {
     }
 
     #[inline]
-    fn next(
+    fn look(
         &self,
         view: &Self::View,
         row: &mut Self::Row,
         x: i32,
-        from: Start<Self::Scalar>,
-    ) -> Crossing<Self::Scalar> {
-        let Start { mut t, inside, first } = from;
-        loop {
-            let mut crossing = Crossing::NEVER;
-            for &index in row.of_run.iter().take(row.in_run.into()) {
-                let element = usize::from(index);
-                let (Some(solid), Some(view), Some(row)) =
-                    (self.get(element), view.get(element), row.elements.get_mut(element))
-                else {
-                    continue;
-                };
-                let inside = inside && solid.holds(view, row, x, t);
-                let first = first.offset(index * T::FACES);
-                let own = solid.next(view, row, x, Start { t, inside, first });
-                if own.t < crossing.t {
-                    crossing = own;
-                }
+        t: Self::Scalar,
+        first: Face,
+    ) -> Look<Self::Scalar> {
+        let mut all = look_at_each(self, view, row, x, t, first);
+        // From outside of all elements, the first that is entered decides; from inside, the first
+        // behind which none is left.
+        if all.inside {
+            while all.next.t < Self::Scalar::HIGHEST && self.holds(view, row, x, all.next.t) {
+                all.next = look_at_each(self, view, row, x, all.next.t, first).next;
             }
-            // Start outside of all elements, the first that is entered decides.
-            if !inside || crossing.t >= Self::Scalar::HIGHEST {
-                return crossing;
-            }
-            t = crossing.t;
-            if !self.holds(view, row, x, t) {
-                return crossing;
+        }
+        all
+    }
+}
+
+/// Whether a ray is inside of any element, and the first crossing of one.
+#[inline]
+fn look_at_each<P, T: Project<P>, const N: usize>(
+    group: &[T; N],
+    views: &[T::View; N],
+    row: &mut GroupRow<T::Row, N>,
+    x: i32,
+    t: T::Scalar,
+    first: Face,
+) -> Look<T::Scalar> {
+    let mut all = Look::EMPTY;
+    for &index in row.of_run.iter().take(row.in_run.into()) {
+        let element = usize::from(index);
+        if let (Some(solid), Some(view), Some(row)) =
+            (group.get(element), views.get(element), row.elements.get_mut(element))
+        {
+            let one = solid.look(view, row, x, t, first.offset(index * T::FACES));
+            all.inside |= one.inside;
+            if one.next.t < all.next.t {
+                all.next = one.next;
             }
         }
     }
+    all
 }
 
 /// The rows of a group, and which of them matter.

@@ -42,7 +42,7 @@ pub use cylinder::{Cylinder, CylinderError};
 pub use intersect::Intersect;
 pub use paint::{Painted, Rgb};
 pub use placed::Placed;
-pub use row::{Blank, Outlook, Project, Start};
+pub use row::{Blank, Look, Outlook, Project};
 pub use slab::{Slab, SlabError};
 pub use sphere::{Sphere, SphereError};
 pub use wall::{CylinderWall, WallHit};

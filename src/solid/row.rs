@@ -57,7 +57,7 @@ impl Outlook {
 ///
 /// Columns are asked for in two ways. [`spans_at`](Self::spans_at) is the whole list of a column, as
 /// [`Solid::spans`](super::Solid::spans) is that of a line. [`holds`](Self::holds) and
-/// [`next`](Self::next) walk along the ray from crossing to crossing, and compute only what the
+/// [`look`](Self::look) walk along the ray from crossing to crossing, and compute only what the
 /// answer depends on; the crossings are those of the list, bit by bit.
 pub trait Project<R>: Shape {
     /// What the camera decides.
@@ -94,26 +94,30 @@ pub trait Project<R>: Shape {
     /// Only in columns that were [entered](Self::enter) and where the solid may be seen.
     fn holds(&self, view: &Self::View, row: &mut Self::Row, x: i32, t: Self::Scalar) -> bool;
 
-    /// The first crossing of the same ray behind `t`, where just behind `t` the ray is `inside` or
-    /// not. There is none if its parameter is [`Scalar::HIGHEST`].
-    fn next(
+    /// Whether the same ray is inside just behind `t`, and where that changes; faces are counted
+    /// from `first` on.
+    fn look(
         &self,
         view: &Self::View,
         row: &mut Self::Row,
         x: i32,
-        from: Start<Self::Scalar>,
-    ) -> Crossing<Self::Scalar>;
+        t: Self::Scalar,
+        first: Face,
+    ) -> Look<Self::Scalar>;
 }
 
-/// Where the search for a crossing begins.
+/// What lies behind some parameter of a ray.
 #[derive(Debug, Clone, Copy)]
-pub struct Start<S> {
-    /// Crossings up to here are passed over.
-    pub t: S,
-    /// Whether the ray is inside the solid just behind `t`.
+pub struct Look<S> {
+    /// Whether the ray is inside just behind the parameter.
     pub inside: bool,
-    /// The number of the solid's first face.
-    pub first: Face,
+    /// The first crossing behind it: none, if its parameter is [`Scalar::HIGHEST`].
+    pub next: Crossing<S>,
+}
+
+impl<S: Scalar> Look<S> {
+    /// Nothing is there.
+    pub(super) const EMPTY: Self = Self { inside: false, next: Crossing::NEVER };
 }
 
 /// A convex primitive, seen along the rays `R`: at most one span in every column.
@@ -161,16 +165,28 @@ impl<S: Scalar, D> LeafRow<S, D> {
 
     /// The span of a ray: computed once, however often it is asked for.
     #[inline]
-    pub(super) fn cached(
-        &mut self,
-        x: i32,
-        compute: impl FnOnce(&D) -> Option<Span<S>>,
-    ) -> &Span<S> {
+    pub(super) fn cached<R, T>(&mut self, solid: &T, view: &Option<T::View>, x: i32) -> &Span<S>
+    where
+        T: Leaf<R, Scalar = S, Row = D>,
+    {
         if self.x != x {
-            self.x = x;
-            self.span = self.row.as_ref().and_then(compute).unwrap_or(Span::NOWHERE);
+            self.compute(solid, view, x);
         }
         &self.span
+    }
+
+    // Called from many places, and long.
+    #[inline(never)]
+    fn compute<R, T>(&mut self, solid: &T, view: &Option<T::View>, x: i32)
+    where
+        T: Leaf<R, Scalar = S, Row = D>,
+    {
+        self.x = x;
+        let span = match (view, &self.row) {
+            (Some(view), Some(row)) => solid.span(view, row, x),
+            _ => None,
+        };
+        self.span = span.unwrap_or(Span::NOWHERE);
     }
 }
 
@@ -226,22 +242,23 @@ macro_rules! leaf {
                 x: i32,
                 t: Self::Scalar,
             ) -> bool {
-                let Some(view) = view else { return false };
-                row.cached(x, |row| $crate::solid::row::Leaf::span(self, view, row, x)).holds(t)
+                row.cached::<R, Self>(self, view, x).holds(t)
             }
 
             #[inline]
-            fn next(
+            fn look(
                 &self,
                 view: &Self::View,
                 row: &mut Self::Row,
                 x: i32,
-                from: $crate::solid::row::Start<Self::Scalar>,
-            ) -> $crate::span::Crossing<Self::Scalar> {
-                let Some(view) = view else { return $crate::span::Crossing::NEVER };
-                let span = row.cached(x, |row| $crate::solid::row::Leaf::span(self, view, row, x));
-                let crossing = span.next(from.t, from.inside);
-                $crate::span::Crossing { face: from.first.offset(crossing.face.0), ..crossing }
+                t: Self::Scalar,
+                first: $crate::span::Face,
+            ) -> $crate::solid::row::Look<Self::Scalar> {
+                let span = row.cached::<R, Self>(self, view, x);
+                let inside = span.holds(t);
+                let next = span.next(t, inside);
+                let next = $crate::span::Crossing { face: first.offset(next.face.0), ..next };
+                $crate::solid::row::Look { inside, next }
             }
         }
     };
@@ -285,14 +302,15 @@ macro_rules! project_as_within {
         }
 
         #[inline]
-        fn next(
+        fn look(
             &self,
             view: &Self::View,
             row: &mut Self::Row,
             x: i32,
-            from: $crate::solid::row::Start<Self::Scalar>,
-        ) -> $crate::span::Crossing<Self::Scalar> {
-            self.solid.next(view, row, x, from)
+            t: Self::Scalar,
+            first: Face,
+        ) -> $crate::solid::row::Look<Self::Scalar> {
+            self.solid.look(view, row, x, t, first)
         }
     };
 }
