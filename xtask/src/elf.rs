@@ -1,11 +1,12 @@
 //! What is in a firmware, and what must not be.
 
 use crate::board::Number;
-use object::{Object, ObjectSection, ObjectSymbol, SectionKind};
+use object::elf::{SHF_ALLOC, SHF_WRITE, SHT_NOBITS};
+use object::{Object, ObjectSection, ObjectSymbol, SectionFlags};
 use std::path::Path;
 
 pub struct Contents {
-    /// Code and constants, in bytes.
+    /// Code, constants, and initial values of variables, in bytes.
     pub flash: u64,
     /// Variables, in bytes.
     pub ram: u64,
@@ -17,16 +18,21 @@ impl Contents {
         let text = |error: &dyn std::fmt::Display| format!("{}: {error}", elf.display());
         let bytes = std::fs::read(elf).map_err(|error| text(&error))?;
         let file = object::File::parse(bytes.as_slice()).map_err(|error| text(&error))?;
-        let size = |kinds: &[SectionKind]| {
-            file.sections()
-                .filter(|section| kinds.contains(&section.kind()))
-                .map(|s| s.size())
-                .sum()
-        };
+        let (mut flash, mut ram) = (0, 0);
+        for section in file.sections() {
+            let SectionFlags::Elf { sh_type, sh_flags } = section.flags() else { continue };
+            // What riscv-rt leaves to the stack and the heap is not variables.
+            if !sh_flags.contains(SHF_ALLOC) || matches!(section.name(), Ok(".stack" | ".heap")) {
+                continue;
+            }
+            // Initial values of variables are in both.
+            flash += if sh_type == SHT_NOBITS { 0 } else { section.size() };
+            ram += if sh_flags.contains(SHF_WRITE) { section.size() } else { 0 };
+        }
         let demangled = |name: &str| format!("{:#}", rustc_demangle::demangle(name));
         Ok(Self {
-            flash: size(&[SectionKind::Text, SectionKind::ReadOnlyData, SectionKind::Data]),
-            ram: size(&[SectionKind::Data, SectionKind::UninitializedData]),
+            flash,
+            ram,
             symbols: file
                 .symbols()
                 .filter(ObjectSymbol::is_definition)
