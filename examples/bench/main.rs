@@ -39,7 +39,9 @@ fn main() -> ! {
             all / (u32::from(parts::WIDTH) * u32::from(parts::HEIGHT)),
         );
     }
-    board::exit(counter.error() <= 1)
+    loop {
+        board::finish(counter.error() <= 1);
+    }
 }
 
 #[cfg(not(target_os = "none"))]

@@ -1,18 +1,26 @@
-//! What the examples need of a board: a serial port, an instruction counter, the stack's high-water
-//! mark, and a way to end.
+//! What the examples need of a board: a serial port, a console, an instruction counter, the stack's
+//! high-water mark, and a way to end.
 //!
-//! The board is chosen by `--cfg board="…"`, which `.cargo/config.toml` gives for each target. For a
-//! board of yours, replace `memory.x` and [`Uart`]: your HAL's serial port will do.
+//! The board is chosen by `--cfg board="…"`, which `.cargo/config.toml` gives for each target. A board
+//! of yours is `--cfg board="yours"`, which wins over that one: `yours.rs` is for its serial port, and
+//! the top-level `memory.x` for its memory.
 
 #![allow(dead_code, unsafe_code)] // every example takes what it needs; registers are addresses
 
+#[cfg_attr(board = "yours", path = "silent.rs")]
+mod console;
 mod counter;
+mod log;
 mod stack;
+#[cfg_attr(board = "yours", path = "yours.rs")]
 mod uart;
 
+pub use console::{finish, say, say_number};
 pub use counter::Counter;
+#[allow(unused_imports)] // not every example logs
+pub(crate) use log::log;
 pub use stack::{Usage, paint};
-pub use uart::Uart;
+pub use uart::uart;
 
 #[cfg(target_arch = "arm")]
 pub use cortex_m_rt::entry;
@@ -24,46 +32,12 @@ pub use riscv_rt::entry;
     board = "lm3s6965",
     board = "an386",
     board = "an505",
-    board = "virt"
+    board = "virt",
+    board = "yours"
 )))]
 compile_error!(
-    "no board is chosen. .cargo/config.toml chooses one for each target by `--cfg board=\"…\"`: \
-     microbit, lm3s6965, an386, an505 or virt. If it does, a RUSTFLAGS variable has replaced its \
-     flags: use CARGO_TARGET_<TRIPLE>_RUSTFLAGS instead"
+    "no board is chosen, or none that is known. `.cargo/config.toml` chooses one for each target by \
+     `--cfg board=\"…\"`: microbit, lm3s6965, an386, an505 or virt; \"yours\" is a board of yours \
+     (README, \"On your board\"). If it does, a RUSTFLAGS variable has replaced its flags: use \
+     CARGO_TARGET_<TRIPLE>_RUSTFLAGS instead"
 );
-
-/// Writes text to the emulator's or the debugger's console.
-pub fn say(text: &str) {
-    use semihosting::io::Write;
-    if let Ok(mut console) = semihosting::io::stderr() {
-        let _ = console.write_all(text.as_bytes());
-    }
-}
-
-/// Writes a number in decimal, without `core::fmt`.
-pub fn say_number(number: u32) {
-    let mut digits = [0; 10];
-    let mut rest = number;
-    let mut first = digits.len();
-    for (place, digit) in digits.iter_mut().enumerate().rev() {
-        *digit = b'0' + (rest % 10) as u8;
-        rest /= 10;
-        first = place;
-        if rest == 0 {
-            break;
-        }
-    }
-    let digits = digits.get(first..).unwrap_or_default();
-    say(core::str::from_utf8(digits).unwrap_or_default());
-}
-
-/// Ends the program, and with it the emulator.
-pub fn exit(is_good: bool) -> ! {
-    semihosting::process::exit(i32::from(!is_good))
-}
-
-#[panic_handler]
-fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
-    say("panic\n");
-    exit(false)
-}

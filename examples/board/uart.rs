@@ -1,38 +1,64 @@
-//! The boards' serial ports, polled: 115,200 baud, 8 data bits, no parity.
+//! The emulated boards' serial ports, polled: 115,200 baud, 8 data bits, no parity.
 
-use core::convert::Infallible;
 use core::ptr;
+use embedded_io::ErrorKind;
+
+/// So many looks at a line that takes no byte, and it has failed: about a minute on a core of 16 MHz,
+/// and ten seconds or more in an emulator. Until it takes a byte again, a hundredth of that is enough.
+const PATIENCE: u32 = 1 << 26;
 
 /// The board's serial port.
-pub struct Uart(());
+pub struct Uart {
+    /// The first byte need not wait for one before it.
+    has_sent: bool,
+    has_failed: bool,
+}
+
+/// The board's serial port, switched on.
+pub fn uart() -> Uart {
+    port::start();
+    Uart { has_sent: false, has_failed: false }
+}
 
 impl Uart {
-    /// Switches the port on.
-    pub fn new() -> Self {
-        port::start();
-        Self(())
-    }
-
-    /// A byte from the other end, if there is one.
-    pub fn receive(&mut self) -> Option<u8> {
-        port::receive()
+    /// Waits until the line has taken the byte before, but not for ever.
+    fn wait(&mut self) -> Result<(), ErrorKind> {
+        let looks = if self.has_failed { PATIENCE / 100 } else { PATIENCE };
+        self.has_failed = self.has_sent && !(0..looks).any(|_| port::can_send());
+        if self.has_failed { Err(ErrorKind::TimedOut) } else { Ok(()) }
     }
 }
 
 impl embedded_io::ErrorType for Uart {
-    type Error = Infallible;
+    type Error = ErrorKind;
 }
 
 impl embedded_io::Write for Uart {
-    fn write(&mut self, bytes: &[u8]) -> Result<usize, Infallible> {
-        for byte in bytes {
-            port::send(*byte);
-        }
-        Ok(bytes.len())
+    fn write(&mut self, bytes: &[u8]) -> Result<usize, ErrorKind> {
+        let Some(byte) = bytes.first() else { return Ok(0) };
+        self.wait()?;
+        port::send(*byte);
+        self.has_sent = true;
+        Ok(1)
     }
 
-    fn flush(&mut self) -> Result<(), Infallible> {
-        Ok(())
+    fn flush(&mut self) -> Result<(), ErrorKind> {
+        self.wait()
+    }
+}
+
+impl embedded_io::ReadReady for Uart {
+    fn read_ready(&mut self) -> Result<bool, ErrorKind> {
+        Ok(port::has_received())
+    }
+}
+
+impl embedded_io::Read for Uart {
+    fn read(&mut self, bytes: &mut [u8]) -> Result<usize, ErrorKind> {
+        let Some(byte) = bytes.first_mut() else { return Ok(0) };
+        while !port::has_received() {}
+        *byte = port::receive();
+        Ok(1)
     }
 }
 
@@ -81,19 +107,24 @@ mod port {
         START_RECEIVING.write(1);
     }
 
+    /// Only true after a byte has been sent.
+    pub fn can_send() -> bool {
+        SENT.read() != 0
+    }
+
     pub fn send(byte: u8) {
         SENT.write(0);
         TRANSMIT.write(byte.into());
-        while SENT.read() == 0 {}
     }
 
-    pub fn receive() -> Option<u8> {
-        if RECEIVED.read() == 0 {
-            return None;
-        }
+    pub fn has_received() -> bool {
+        RECEIVED.read() != 0
+    }
+
+    pub fn receive() -> u8 {
         // Before the byte is read: reading lets the next one in, which sets it again.
         RECEIVED.write(0);
-        Some(RECEIVE.read() as u8)
+        RECEIVE.read() as u8
     }
 }
 
@@ -125,13 +156,20 @@ mod port {
         CONTROL.write(0x301); // transmit and receive
     }
 
+    pub fn can_send() -> bool {
+        FLAGS.read() & TRANSMIT_FULL == 0
+    }
+
     pub fn send(byte: u8) {
-        while FLAGS.read() & TRANSMIT_FULL != 0 {}
         DATA.write(byte.into());
     }
 
-    pub fn receive() -> Option<u8> {
-        (FLAGS.read() & RECEIVE_EMPTY == 0).then(|| DATA.read() as u8)
+    pub fn has_received() -> bool {
+        FLAGS.read() & RECEIVE_EMPTY == 0
+    }
+
+    pub fn receive() -> u8 {
+        DATA.read() as u8
     }
 }
 
@@ -156,13 +194,20 @@ mod port {
         CONTROL.write(3); // transmit and receive
     }
 
+    pub fn can_send() -> bool {
+        STATE.read() & TRANSMIT_FULL == 0
+    }
+
     pub fn send(byte: u8) {
-        while STATE.read() & TRANSMIT_FULL != 0 {}
         DATA.write(byte.into());
     }
 
-    pub fn receive() -> Option<u8> {
-        (STATE.read() & RECEIVE_FULL != 0).then(|| DATA.read() as u8)
+    pub fn has_received() -> bool {
+        STATE.read() & RECEIVE_FULL != 0
+    }
+
+    pub fn receive() -> u8 {
+        DATA.read() as u8
     }
 }
 
@@ -179,12 +224,19 @@ mod port {
 
     pub fn start() {}
 
+    pub fn can_send() -> bool {
+        LINE_STATUS.read() & TRANSMIT_EMPTY != 0
+    }
+
     pub fn send(byte: u8) {
-        while LINE_STATUS.read() & TRANSMIT_EMPTY == 0 {}
         DATA.write(byte);
     }
 
-    pub fn receive() -> Option<u8> {
-        (LINE_STATUS.read() & DATA_READY != 0).then(|| DATA.read())
+    pub fn has_received() -> bool {
+        LINE_STATUS.read() & DATA_READY != 0
+    }
+
+    pub fn receive() -> u8 {
+        DATA.read()
     }
 }

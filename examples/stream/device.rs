@@ -19,15 +19,15 @@ pub trait Line: Write {
 /// How a frame ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Delivery {
-    /// The other end has the whole frame.
-    Acknowledged,
+    /// The other end has the whole frame, after it has asked for so many things again.
+    Acknowledged { repairs: u16 },
     /// The other end said nothing for three seconds: nobody is there, or can't answer.
     Unheard,
 }
 
 /// Why a frame could not be sent.
 #[derive(Debug, Clone, Copy)]
-#[cfg_attr(target_os = "none", allow(dead_code))] // the firmware can't tell anybody why
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum DeviceError<E> {
     /// A row was asked for that does not fit the buffers.
     Row(RowError),
@@ -79,7 +79,7 @@ where
     sender.end()?;
 
     let mut decoder = Decoder::<CONTROL_CAPACITY>::new();
-    let mut silence = 0;
+    let (mut silence, mut repairs) = (0, 0_u16);
     while silence < PATIENCE {
         let Some(byte) = sender.writer_mut().listen().map_err(SendError::Io)? else {
             silence += 1;
@@ -90,16 +90,21 @@ where
         let Some(Ok(packet)) = decoder.push(byte) else { continue };
         silence = 0;
         match packet {
-            Packet::Ack { frame: whole } if whole == frame => return Ok(Delivery::Acknowledged),
-            Packet::Request(Request { frame: wanted, part }) if wanted == frame => match part {
-                Part::Header => sender.header_again()?,
-                Part::End => sender.end_again()?,
-                Part::Row(y) if y < size.height() => {
-                    picture.scanline(y)?.render(pixels)?;
-                    sender.resend_row(y, pixels)?;
+            Packet::Ack { frame: whole } if whole == frame => {
+                return Ok(Delivery::Acknowledged { repairs });
+            }
+            Packet::Request(Request { frame: wanted, part }) if wanted == frame => {
+                repairs = repairs.saturating_add(1);
+                match part {
+                    Part::Header => sender.header_again()?,
+                    Part::End => sender.end_again()?,
+                    Part::Row(y) if y < size.height() => {
+                        picture.scanline(y)?.render(pixels)?;
+                        sender.resend_row(y, pixels)?;
+                    }
+                    _ => {}
                 }
-                _ => {}
-            },
+            }
             _ => {}
         }
     }

@@ -3,61 +3,148 @@
 //!
 //! It computes in `f32` where that is in hardware, and in fixed point elsewhere; `--cfg number="f32"`
 //! and `--cfg number="i16f16"` among the compiler's flags choose. What it has to say goes to the
-//! debugger's console, so that the serial line is the picture's alone.
+//! debugger's console, and with the feature `defmt` to its log, so that the serial line is the
+//! picture's alone.
 
-use crate::board::{self, Uart, Usage};
-use crate::device::{Delivery, Line, send_frame};
+use crate::board::{self, Usage, log};
+use crate::device::{Delivery, DeviceError, Line, send_frame};
 use crate::scene::{Scene, Tee};
-use core::convert::Infallible;
-use scancsg::render::{Gray8, Lambert, Picture, PixelFormat, Size};
-use scancsg::stream::{Sender, packet_capacity};
+use embedded_io::{Error, ErrorKind, ErrorType, Read, ReadReady, Write};
+use number::Number;
+use scancsg::render::{
+    CameraError, Gray8, Lambert, Picture, PixelFormat, ShadeError, Size, SizeError,
+};
+use scancsg::stream::{SendError, Sender, packet_capacity};
 
 const WIDTH: u16 = 160;
 const HEIGHT: u16 = 120;
 const PACKET: usize = packet_capacity(WIDTH, PixelFormat::Gray8);
-/// How often a frame is sent to somebody who doesn't answer.
+/// How often a frame is sent to somebody who doesn't read it or doesn't answer.
 const FRAMES: u16 = 4;
 
 #[cfg(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16"))))]
-type Number = f32;
+mod number {
+    pub type Number = f32;
+    pub const NAME: &str = "f32";
+}
 #[cfg(not(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16")))))]
-type Number = scancsg::scalar::I16F16;
+mod number {
+    pub type Number = scancsg::scalar::I16F16;
+    pub const NAME: &str = "I16F16";
+}
 
 static TEE: Tee<Number> = Number::TEE;
 
-impl Line for Uart {
-    fn listen(&mut self) -> Result<Option<u8>, Infallible> {
-        // Some ten to thirty instructions a look: about a second on these boards.
-        Ok((0..500_000).find_map(|_| self.receive()))
+/// A serial port whose errors are of the known kinds, whoever made it.
+struct Port<U>(U);
+
+impl<U> ErrorType for Port<U> {
+    type Error = ErrorKind;
+}
+
+impl<U: Write> Write for Port<U> {
+    fn write(&mut self, bytes: &[u8]) -> Result<usize, ErrorKind> {
+        self.0.write(bytes).map_err(|error| error.kind())
+    }
+
+    fn flush(&mut self) -> Result<(), ErrorKind> {
+        self.0.flush().map_err(|error| error.kind())
     }
 }
 
-fn send() -> Option<Delivery> {
-    let camera = Number::orthographic().ok()?;
-    let light = Lambert::new(Number::TO_LIGHT, Number::hundredths(15)).ok()?;
-    let size = Size::new(WIDTH, HEIGHT).ok()?;
-    let picture = Picture::new(&TEE, &camera, size, light, Gray8(0));
-    let mut pixels = [Gray8(0); WIDTH as usize];
-    let mut sender = Sender::<_, PACKET>::new(Uart::new());
-    let mut delivery = Delivery::Unheard;
-    for frame in 0..FRAMES {
-        delivery = send_frame(&picture, frame, &mut sender, &mut pixels).ok()?;
-        if delivery == Delivery::Acknowledged {
-            break;
+impl<U: Read + ReadReady + Write> Line for Port<U> {
+    fn listen(&mut self) -> Result<Option<u8>, ErrorKind> {
+        // Some ten to thirty instructions a look: about a second on these boards.
+        for _ in 0..500_000 {
+            if self.0.read_ready().map_err(|error| error.kind())? {
+                let mut byte = [0];
+                self.0.read(&mut byte).map_err(|error| error.kind())?;
+                return Ok(byte.first().copied());
+            }
+        }
+        Ok(None)
+    }
+}
+
+impl<L: Line> Line for &mut L {
+    fn listen(&mut self) -> Result<Option<u8>, L::Error> {
+        (**self).listen()
+    }
+}
+
+/// Why the picture was not delivered.
+#[derive(Clone, Copy)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(not(feature = "defmt"), allow(dead_code))] // the console is told less than the log
+enum Failure {
+    Camera(CameraError),
+    Light(ShadeError),
+    Size(SizeError),
+    Device(DeviceError<ErrorKind>),
+    Unheard,
+}
+
+impl Failure {
+    const fn as_str(self) -> &'static str {
+        match self {
+            Self::Device(DeviceError::Send(SendError::Io(ErrorKind::TimedOut))) => "nobody reads\n",
+            Self::Unheard => "nobody answers\n",
+            _ => "the picture can't be sent\n",
         }
     }
-    Some(delivery)
+}
+
+fn send(line: impl Line<Error = ErrorKind>) -> Result<(), Failure> {
+    log!(info, "{=u16}x{=u16} pixels in {=str}", WIDTH, HEIGHT, number::NAME);
+    let camera = Number::orthographic().map_err(Failure::Camera)?;
+    let light = Lambert::new(Number::TO_LIGHT, Number::hundredths(15)).map_err(Failure::Light)?;
+    let size = Size::new(WIDTH, HEIGHT).map_err(Failure::Size)?;
+    let picture = Picture::new(&TEE, &camera, size, light, Gray8(0));
+    let mut pixels = [Gray8(0); WIDTH as usize];
+    let mut sender = Sender::<_, PACKET>::new(line);
+    let mut outcome = Err(Failure::Unheard);
+    for frame in 0..FRAMES {
+        let before = sender.bytes_sent();
+        let delivery = send_frame(&picture, frame, &mut sender, &mut pixels);
+        let bytes = sender.bytes_sent().wrapping_sub(before);
+        let failure = match delivery {
+            Ok(Delivery::Acknowledged { repairs }) => {
+                log!(
+                    info,
+                    "frame {=u16}: {=u16} rows, {=u64} bytes, {=u16} repairs",
+                    frame,
+                    HEIGHT,
+                    bytes,
+                    repairs
+                );
+                return Ok(());
+            }
+            Ok(Delivery::Unheard) => Failure::Unheard,
+            Err(error) => Failure::Device(error),
+        };
+        // The frame is dropped, and the next one begins anew.
+        log!(warn, "frame {=u16}: {} after {=u64} bytes", frame, failure, bytes);
+        outcome = Err(failure);
+    }
+    outcome
 }
 
 #[board::entry]
 fn main() -> ! {
     board::paint();
-    let delivery = send();
-    let Usage { stack, room } = Usage::measure();
-    board::say("stack ");
-    board::say_number(stack as u32);
-    board::say(" of ");
-    board::say_number(room as u32);
-    board::say("\n");
-    board::exit(delivery == Some(Delivery::Acknowledged))
+    let mut port = Port(board::uart());
+    loop {
+        let outcome = send(&mut port);
+        let Usage { stack, room } = Usage::measure();
+        log!(info, "stack: {=usize} of {=usize} bytes", stack, room);
+        board::say("stack ");
+        board::say_number(stack as u32);
+        board::say(" of ");
+        board::say_number(room as u32);
+        board::say("\n");
+        if let Err(why) = outcome {
+            board::say(why.as_str());
+        }
+        board::finish(outcome.is_ok());
+    }
 }

@@ -23,8 +23,11 @@ const PATIENCE: Duration = Duration::from_secs(60);
 /// An emulated board that runs.
 pub struct Machine {
     emulator: Child,
+    elf: PathBuf,
     socket: PathBuf,
-    console: Option<thread::JoinHandle<String>>,
+    /// Read until the emulator ends.
+    console: Option<thread::JoinHandle<Vec<u8>>>,
+    log: Option<thread::JoinHandle<Vec<u8>>>,
 }
 
 impl Machine {
@@ -44,7 +47,7 @@ impl Machine {
             .args(["-semihosting-config", "enable=on,target=native", "-kernel"])
             .arg(elf)
             .stdin(Stdio::null())
-            .stdout(Stdio::null())
+            .stdout(Stdio::piped())
             .stderr(Stdio::piped());
         let mut emulator = command.spawn().map_err(|error| {
             format!(
@@ -52,14 +55,8 @@ impl Machine {
                  --no-install-recommends qemu-system-arm qemu-system-misc"
             )
         })?;
-        let console = emulator.stderr.take().map(|mut stderr| {
-            thread::spawn(move || {
-                let mut text = String::new();
-                let _ = stderr.read_to_string(&mut text);
-                text
-            })
-        });
-        let mut machine = Self { emulator, socket, console };
+        let (console, log) = (emulator.stderr.take().map(read), emulator.stdout.take().map(read));
+        let mut machine = Self { emulator, elf: elf.to_owned(), socket, console, log };
         let line = machine.connect()?;
         Ok((machine, line))
     }
@@ -86,12 +83,22 @@ impl Machine {
         }
     }
 
+    /// What the firmware has logged, and what it has said to the console.
     fn said(&mut self) -> String {
-        let text = self.console.take().and_then(|console| console.join().ok()).unwrap_or_default();
-        // The emulator's own word that it waits for the other end of the line.
-        text.lines()
+        let all = |stream: Option<thread::JoinHandle<Vec<u8>>>| {
+            stream.and_then(|stream| stream.join().ok()).unwrap_or_default()
+        };
+        let (log, console) = (all(self.log.take()), all(self.console.take()));
+        let log = match std::fs::read(&self.elf) {
+            Ok(elf) if !log.is_empty() => crate::log::decode(&elf, &log)
+                .unwrap_or_else(|error| format!("the log can't be decoded: {error}\n")),
+            _ => String::new(),
+        };
+        String::from_utf8_lossy(&console)
+            .lines()
+            // The emulator's own word that it waits for the other end of the line.
             .filter(|line| !line.contains("QEMU waiting"))
-            .fold(String::new(), |all, line| all + line + "\n")
+            .fold(log, |all, line| all + line + "\n")
     }
 
     /// Waits for the firmware to end; what it said, and whether it was content.
@@ -121,6 +128,15 @@ impl Machine {
     }
 }
 
+/// Reads to the end, meanwhile.
+fn read(mut stream: impl Read + Send + 'static) -> thread::JoinHandle<Vec<u8>> {
+    thread::spawn(move || {
+        let mut bytes = Vec::new();
+        let _ = stream.read_to_end(&mut bytes);
+        bytes
+    })
+}
+
 impl Drop for Machine {
     fn drop(&mut self) {
         let _ = self.emulator.kill();
@@ -133,6 +149,7 @@ impl Drop for Machine {
 pub struct Outcome {
     pub frame: Frame,
     pub traffic: Traffic,
+    pub said: String,
     /// The deepest that the stack has been.
     pub stack: Option<u32>,
     pub is_same_as_host: bool,
@@ -185,7 +202,7 @@ pub fn stream(board: Board, number: Number, elf: &Path) -> Result<Outcome, Strin
     let stack = said
         .lines()
         .find_map(|line| line.strip_prefix("stack ")?.split_whitespace().next()?.parse().ok());
-    Ok(Outcome { frame, traffic, stack, is_same_as_host, problems })
+    Ok(Outcome { frame, traffic, said, stack, is_same_as_host, problems })
 }
 
 /// The frame of the example `stream`, rendered here.
@@ -215,12 +232,7 @@ pub fn show(board: Board, elf: &Path, png: &Path) -> Result<(), String> {
     display.finish();
     let (frame, traffic, said, is_good) = result?;
     write_png(png, std::slice::from_ref(&frame))?;
-    println!(
-        "{}: {} bytes on the line; the board says: {}",
-        png.display(),
-        traffic.bytes,
-        said.trim()
-    );
+    println!("{}: {} bytes on the line; the board says\n{said}", png.display(), traffic.bytes);
     if let Some(problem) = frame.problem(0) {
         return Err(problem);
     }

@@ -1,6 +1,6 @@
 //! What goes wrong on a serial line, done to a firmware on purpose.
 
-use crate::board::Board;
+use crate::board::{Board, Number};
 use crate::boot::Machine;
 use crate::host::port::Port;
 use crate::host::receive::{Ending, Session};
@@ -8,17 +8,29 @@ use crate::toolchain;
 use std::io::{self, Read, Write};
 use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
+use std::thread;
 use std::time::Duration;
 
 type Fault = fn(Board, &Path) -> Result<(), String>;
 
-/// Does everything to one board's firmware.
-pub fn check(board: Board, number: crate::board::Number) -> Result<(), String> {
-    let elf = toolchain::find(board.target())?.build(board, number, "stream")?;
-    let faults: [(&str, Fault); 3] = [
+/// Does everything to the firmware of some boards, of all of them at once.
+pub fn check(boards: &[Board], number: Number) -> Result<(), String> {
+    let problems: Vec<String> = thread::scope(|scope| {
+        let checks: Vec<_> =
+            boards.iter().map(|board| scope.spawn(move || check_one(*board, number))).collect();
+        let done = checks.into_iter().map(|check| check.join());
+        done.filter_map(|result| result.unwrap_or(Err("a check panicked".into())).err()).collect()
+    });
+    if problems.is_empty() { Ok(()) } else { Err(problems.join("\n       ")) }
+}
+
+fn check_one(board: Board, number: Number) -> Result<(), String> {
+    let elf = toolchain::find(board.target())?.build(board, number, "stream", &[])?;
+    let faults: [(&str, Fault); 4] = [
         ("garbage before every answer", garbage),
         ("reset in the middle of a frame", reset),
         ("nobody reads for a while", late),
+        ("nobody ever reads", never),
     ];
     for (what, fault) in faults {
         fault(board, &elf).map_err(|problem| format!("{board}, {what}: {problem}"))?;
@@ -122,6 +134,24 @@ impl Write for Resetting {
 /// nothing, and goes on. (A real one without flow control loses them, and rows are asked for again.)
 fn late(board: Board, elf: &Path) -> Result<(), String> {
     let (machine, line) = Machine::start(board, elf)?;
-    std::thread::sleep(Duration::from_secs(4));
+    thread::sleep(Duration::from_secs(4));
     receive(machine, line)
+}
+
+/// The firmware must give up after some time, begin anew, and at last end by itself and say why.
+fn never(board: Board, elf: &Path) -> Result<(), String> {
+    if board == Board::Lm3s6965 {
+        println!(
+            "{board}: its emulated port doesn't hold bytes back, but stops the whole emulator"
+        );
+        return Ok(());
+    }
+    let (machine, line) = Machine::start(board, elf)?;
+    let (said, is_good) = machine.finish(Duration::from_secs(300));
+    drop(line);
+    match said.lines().any(|line| line == "nobody reads") {
+        true if !is_good => Ok(()),
+        true => Err("the firmware counts it as a success".into()),
+        false => Err(format!("the firmware waits for ever; it said: {said}")),
+    }
 }

@@ -7,6 +7,7 @@ mod elf;
 mod faults;
 #[path = "../../examples/host/mod.rs"]
 mod host;
+mod log;
 mod report;
 #[path = "../../examples/scene/mod.rs"]
 mod scene;
@@ -31,15 +32,11 @@ enum Chore {
     /// compare it with the host's
     Boards(Boards),
 
-    /// Do to a board's firmware what goes wrong on serial lines: garbage, a reset, nobody there
-    Faults {
-        /// The board
-        #[arg(long, default_value = "microbit")]
-        board: Board,
-        /// The number type
-        #[arg(long, default_value = "i16f16")]
-        number: Number,
-    },
+    /// Build firmware with its `defmt` log, and check the picture and the log
+    Log(Chosen),
+
+    /// Do to firmware what goes wrong on serial lines: garbage, a reset, nobody who reads
+    Faults(Chosen),
 
     /// Boot one firmware, show the picture that it sends, and save it
     Boot {
@@ -51,6 +48,23 @@ enum Chore {
         #[arg(long, value_name = "FILE.png", default_value = "board.png")]
         png: PathBuf,
     },
+}
+
+#[derive(Debug, clap::Args)]
+struct Chosen {
+    /// Only this board; may be given several times [default: microbit and virt]
+    #[arg(long)]
+    board: Vec<Board>,
+
+    /// The number type
+    #[arg(long, default_value = "i16f16")]
+    number: Number,
+}
+
+impl Chosen {
+    fn boards(&self) -> &[Board] {
+        if self.board.is_empty() { &[Board::Microbit, Board::Virt] } else { &self.board }
+    }
 }
 
 #[derive(Debug, clap::Args)]
@@ -75,7 +89,10 @@ struct Boards {
 fn main() -> ExitCode {
     let result = match Args::parse().chore {
         Chore::Boards(chosen) => boards(&chosen),
-        Chore::Faults { board, number } => faults::check(board, number),
+        Chore::Log(chosen) => {
+            chosen.boards().iter().try_for_each(|board| log::check(*board, chosen.number))
+        }
+        Chore::Faults(chosen) => faults::check(chosen.boards(), chosen.number),
         Chore::Boot { board, elf, png } => boot::show(board, &elf, &png),
     };
     match result {
@@ -104,7 +121,7 @@ fn boards(chosen: &Boards) -> Result<(), String> {
                 continue;
             }
             eprintln!("{board}, {number}: building with {}", toolchain.version);
-            let elf = toolchain.build(board, number, "stream")?;
+            let elf = toolchain.build(board, number, "stream", &[])?;
             let contents = elf::Contents::read(&elf)?;
             problems
                 .extend(contents.problems(number).map(|text| format!("{board}, {number}: {text}")));

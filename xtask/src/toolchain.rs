@@ -127,8 +127,14 @@ fn libraries(rustc: &Path, cargo: &Path, target: &str, version: &str) -> Result<
 }
 
 impl Toolchain {
-    /// Builds an example as firmware.
-    pub fn build(&self, board: Board, number: Number, example: &str) -> Result<PathBuf, String> {
+    /// Builds an example as firmware, with features of the crate.
+    pub fn build(
+        &self,
+        board: Board,
+        number: Number,
+        example: &str,
+        features: &[&str],
+    ) -> Result<PathBuf, String> {
         let target = board.target();
         let folder = root().join("target/boards").join(number.name());
         let mut flags = format!("--cfg number=\"{number}\"");
@@ -136,6 +142,7 @@ impl Toolchain {
         command
             .current_dir(root())
             .args(["build", "--quiet", "--release", "--target", target, "--example", example])
+            .args(["--features", &features.join(",")])
             .env("CARGO_TARGET_DIR", &folder);
         if let Some((rustc, sysroot)) = &self.foreign {
             flags.push_str(&format!(" --sysroot={}", sysroot.display()));
