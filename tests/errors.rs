@@ -9,8 +9,8 @@ use scancsg::render::{
     CameraError, Gray8, Orthographic, Picture, RowError, Run, ShadeError, Size, SizeError, XRay,
 };
 use scancsg::solid::{
-    Cylinder, CylinderError, CylinderWall, Difference, Painted, Rgb, Shape, Slab, SlabError, Solid,
-    Sphere, SphereError, Union,
+    Cylinder, CylinderError, CylinderWall, Difference, Painted, PipeError, Rgb, Shape, Slab,
+    SlabError, Solid, Sphere, SphereError, Union,
 };
 use scancsg::span::SpanList;
 use std::collections::HashSet;
@@ -115,6 +115,11 @@ fn every_error_has_a_text_of_its_own() {
         Box::new(SlabError::NotFinite),
         Box::new(SlabError::ZeroNormal),
         Box::new(SlabError::Empty),
+        Box::new(PipeError::NotFinite),
+        Box::new(PipeError::Radius),
+        Box::new(PipeError::Empty),
+        Box::new(PipeError::Tolerance),
+        Box::new(PipeError::Capacity),
         Box::new(RayError::NotFinite),
         Box::new(RayError::ZeroDirection),
         Box::new(CameraError::NotFinite),
@@ -145,6 +150,7 @@ fn errors_are_small_copies() {
         is_copy::<CylinderError>(),
         is_copy::<SphereError>(),
         is_copy::<SlabError>(),
+        is_copy::<PipeError>(),
         is_copy::<RayError>(),
         is_copy::<CameraError>(),
         is_copy::<ShadeError>(),

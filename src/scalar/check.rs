@@ -27,6 +27,14 @@ macro_rules! floats {
                 x < y
             }
 
+            pub(crate) const fn sum(x: $Float, y: $Float) -> $Float {
+                x + y
+            }
+
+            pub(crate) const fn difference(x: $Float, y: $Float) -> $Float {
+                x - y
+            }
+
             pub(crate) const fn is_within_reach(x: $Float) -> bool {
                 x.abs() <= <$Float>::REACH
             }
@@ -101,6 +109,14 @@ impl<F: Fraction> Check<FixedI32<F>> {
 
     pub(crate) const fn is_below(x: FixedI32<F>, y: FixedI32<F>) -> bool {
         x.to_bits() < y.to_bits()
+    }
+
+    pub(crate) const fn sum(x: FixedI32<F>, y: FixedI32<F>) -> FixedI32<F> {
+        x.saturating_add(y)
+    }
+
+    pub(crate) const fn difference(x: FixedI32<F>, y: FixedI32<F>) -> FixedI32<F> {
+        x.saturating_sub(y)
     }
 
     pub(crate) const fn is_within_reach(x: FixedI32<F>) -> bool {

@@ -7,13 +7,13 @@ use crate::geom::{Column, Line, Vec3};
 use crate::scalar::Scalar;
 use crate::span::{Face, Operation, SpanStack};
 
-const fn faces_of_group(count: usize, faces: u16) -> u16 {
+pub(super) const fn faces_of_group(count: usize, faces: u16) -> u16 {
     assert!(count > 0, "a group of solids needs at least one");
     assert!(count * faces as usize <= u16::MAX as usize, "the group has too many faces");
     count as u16 * faces
 }
 
-const fn stack_of_group(count: usize, spans: usize, stack: usize) -> usize {
+pub(super) const fn stack_of_group(count: usize, spans: usize, stack: usize) -> usize {
     // Before the last element: the union of all others. Then the element's own work, or the
     // element's spans and the merged list.
     let merging = if count > 1 { spans + count * spans } else { spans };
@@ -38,7 +38,7 @@ fn element<T: Shape, const N: usize>(group: &[T; N], face: Face) -> Option<(&T, 
 }
 
 /// Unites the spans that `push` gives for each of `count` elements.
-fn unite<S: Scalar>(
+pub(super) fn unite<S: Scalar>(
     count: usize,
     faces: u16,
     first: Face,

@@ -23,12 +23,14 @@
 //! lines, and [`Project`] gets ready for a picture. A primitive of your own needs none of them: see
 //! [`Convex`].
 
+#[macro_use]
 mod boolean;
 mod convex;
 mod cylinder;
 mod group;
 mod intersect;
 mod paint;
+mod pipe;
 mod placed;
 mod row;
 mod silhouette;
@@ -41,6 +43,7 @@ pub use convex::Convex;
 pub use cylinder::{Cylinder, CylinderError};
 pub use intersect::Intersect;
 pub use paint::{Painted, Rgb};
+pub use pipe::{Pipe, PipeError};
 pub use placed::Placed;
 pub use row::{Blank, Look, Outlook, Project};
 pub use slab::{Slab, SlabError};

@@ -1,0 +1,197 @@
+//! Pipes are laid segment by segment.
+
+use super::several::Several;
+use super::{Joint, Pipe, PipeError};
+use crate::geom::Vec3;
+use crate::scalar::{Check, FixedI32, Fraction, Scalar};
+use crate::solid::cylinder::Tube;
+use crate::solid::{
+    Cylinder, CylinderError, Intersection, Slab, SlabError, Sphere, SphereError, Union,
+};
+use crate::spline::Curve;
+
+/// A pipe from its first point to the last one so far.
+struct Laying<S: Scalar, const SEGMENTS: usize> {
+    radius: S,
+    from: Vec3<S>,
+    to: Vec3<S>,
+    laid: Option<Laid<S, SEGMENTS>>,
+}
+
+/// At least one segment.
+struct Laid<S: Scalar, const SEGMENTS: usize> {
+    cylinders: Several<Cylinder<S>, SEGMENTS>,
+    /// Each at the beginning of a cylinder.
+    joints: Several<Joint<S>, SEGMENTS>,
+    last: Cylinder<S>,
+}
+
+const fn of_cylinder(error: CylinderError) -> PipeError {
+    match error {
+        CylinderError::NotFinite => PipeError::NotFinite,
+        CylinderError::Radius => PipeError::Radius,
+        CylinderError::TooFar => PipeError::TooFar,
+        CylinderError::Empty => PipeError::Empty,
+    }
+}
+
+const fn of_ball(error: SphereError) -> PipeError {
+    match error {
+        SphereError::NotFinite => PipeError::NotFinite,
+        SphereError::Radius => PipeError::Radius,
+        SphereError::TooFar => PipeError::TooFar,
+    }
+}
+
+/// A slab of two radii is empty only if they are lost in rounding.
+const fn of_slab(error: SlabError) -> PipeError {
+    match error {
+        SlabError::NotFinite => PipeError::NotFinite,
+        SlabError::ZeroNormal | SlabError::Empty | SlabError::TooFar => PipeError::TooFar,
+    }
+}
+
+macro_rules! constructors {
+    ($([$($generics:tt)*] $Scalar:ty),+) => {$(
+        impl<$($generics)* const SEGMENTS: usize> Pipe<$Scalar, SEGMENTS> {
+            /// A pipe along a curve: with as many segments as it takes to stay within `tolerance`,
+            /// which see [above](Self#how-near-it-is-to-the-tube).
+            ///
+            /// Everything within two radii of the curve must be within [`Scalar::REACH`]. In fixed
+            /// point, points are rounded to units, so the tolerance should be many of them.
+            ///
+            /// # Errors
+            /// [`PipeError::Capacity`] if there is no room for so many segments,
+            /// [`PipeError::Tolerance`], [`PipeError::Radius`], [`PipeError::NotFinite`],
+            /// [`PipeError::TooFar`], [`PipeError::Empty`].
+            pub fn along<const K: usize, const C: usize, const N: usize>(
+                curve: &Curve<Vec3<$Scalar>, K, C, N>,
+                radius: $Scalar,
+                tolerance: $Scalar,
+            ) -> Result<Self, PipeError> {
+                let mut vertices = curve.flatten(tolerance).map_err(|_| PipeError::Tolerance)?;
+                let first = vertices.next().ok_or(PipeError::Empty)?;
+                let mut pipe = Laying::<$Scalar, SEGMENTS>::new(first.point, radius);
+                for vertex in vertices {
+                    pipe.lay(vertex.point)?;
+                }
+                pipe.finish()
+            }
+
+            /// A pipe along a polyline. Points that are equal to the one before them count once.
+            ///
+            /// # Errors
+            /// As [`along`](Self::along).
+            pub const fn through(
+                points: &[Vec3<$Scalar>],
+                radius: $Scalar,
+            ) -> Result<Self, PipeError> {
+                let [first, rest @ ..] = points else { return Err(PipeError::Empty) };
+                let mut pipe = Laying::<$Scalar, SEGMENTS>::new(*first, radius);
+                let mut rest = rest;
+                while let [point, others @ ..] = rest {
+                    if let Err(error) = pipe.lay(*point) {
+                        return Err(error);
+                    }
+                    rest = others;
+                }
+                pipe.finish()
+            }
+        }
+
+        impl<$($generics)* const SEGMENTS: usize> Laying<$Scalar, SEGMENTS> {
+            const fn new(from: Vec3<$Scalar>, radius: $Scalar) -> Self {
+                Self { radius, from, to: from, laid: None }
+            }
+
+            /// Adds a segment up to a point.
+            const fn lay(&mut self, to: Vec3<$Scalar>) -> Result<(), PipeError> {
+                let cylinder = match Cylinder::<$Scalar>::between(self.to, to, self.radius) {
+                    Ok(cylinder) => cylinder,
+                    Err(CylinderError::Empty) => return Ok(()),
+                    Err(error) => return Err(of_cylinder(error)),
+                };
+                let before = match &self.laid {
+                    Some(laid) => laid.last,
+                    None => cylinder,
+                };
+                let joint = match Check::<$Scalar>::joint(&before, &cylinder) {
+                    Ok(joint) => joint,
+                    Err(error) => return Err(error),
+                };
+                self.to = to;
+                match &mut self.laid {
+                    Some(laid) => {
+                        if !(laid.cylinders.push(cylinder) && laid.joints.push(joint)) {
+                            return Err(PipeError::Capacity);
+                        }
+                        laid.last = cylinder;
+                    }
+                    None => {
+                        self.laid = Some(Laid {
+                            cylinders: Several::of(cylinder),
+                            joints: Several::of(joint),
+                            last: cylinder,
+                        });
+                    }
+                }
+                Ok(())
+            }
+
+            const fn finish(self) -> Result<Pipe<$Scalar, SEGMENTS>, PipeError> {
+                let Some(Laid { cylinders, mut joints, last }) = self.laid else {
+                    return Err(PipeError::Empty);
+                };
+                if Check::<$Scalar>::is_same(self.from, self.to) {
+                    match Check::<$Scalar>::joint(&last, cylinders.first()) {
+                        Ok(joint) => joints.replace_first(joint),
+                        Err(error) => return Err(error),
+                    }
+                }
+                let segments = cylinders.count();
+                Ok(Pipe { parts: Union::new(cylinders, joints), segments })
+            }
+        }
+
+        impl<$($generics)*> Check<$Scalar> {
+            const fn is_same(a: Vec3<$Scalar>, b: Vec3<$Scalar>) -> bool {
+                let (mut a, mut b): (&[$Scalar], &[$Scalar]) = (&a.to_array(), &b.to_array());
+                while let ([x, others @ ..], [y, rest @ ..]) = (a, b) {
+                    if Self::is_below(*x, *y) || Self::is_below(*y, *x) {
+                        return false;
+                    }
+                    (a, b) = (others, rest);
+                }
+                true
+            }
+
+            /// The part of a ball beyond the end of one cylinder and before the beginning of the
+            /// next one, which is nothing where both are the same.
+            const fn joint(
+                before: &Cylinder<$Scalar>,
+                after: &Cylinder<$Scalar>,
+            ) -> Result<Joint<$Scalar>, PipeError> {
+                let Tube { base, radius } = after.tube;
+                let ball = match Sphere::<$Scalar>::new(base, radius) {
+                    Ok(ball) => ball,
+                    Err(error) => return Err(of_ball(error)),
+                };
+                let (end, start) = (before.caps.high, after.caps.low);
+                let width = Check::<$Scalar>::sum(radius, radius);
+                let far = Check::<$Scalar>::sum(end, width);
+                let beyond = match Slab::<$Scalar>::between(before.caps.normal, end, far) {
+                    Ok(slab) => slab,
+                    Err(error) => return Err(of_slab(error)),
+                };
+                let far = Check::<$Scalar>::difference(start, width);
+                let ahead = match Slab::<$Scalar>::between(after.caps.normal, far, start) {
+                    Ok(slab) => slab,
+                    Err(error) => return Err(of_slab(error)),
+                };
+                Ok(Joint::new(Intersection::new(ball, beyond), ahead))
+            }
+        }
+    )+};
+}
+
+constructors!([] f32, [] f64, [F: Fraction,] FixedI32<F>);

@@ -1,0 +1,158 @@
+//! Up to so many solids of one kind: their union, as that of an array.
+
+use crate::geom::{Column, Extent, Line, Vec3};
+use crate::solid::boolean::spans_inside;
+use crate::solid::group::{faces_of_group, stack_of_group, unite};
+use crate::solid::row::{Project, Row, View};
+use crate::solid::{Rgb, Shape, Solid};
+use crate::span::{Face, SpanStack};
+use heapless::Vec;
+
+/// From one to `N` solids.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Several<T, const N: usize> {
+    /// Behind the last one, the first one again and again.
+    items: [T; N],
+    count: usize,
+}
+
+impl<T: Copy, const N: usize> Several<T, N> {
+    pub(super) const fn of(first: T) -> Self {
+        const { assert!(N > 0, "a group of solids needs at least one") };
+        Self { items: [first; N], count: 1 }
+    }
+
+    /// Adds one more, if there is room.
+    pub(super) const fn push(&mut self, item: T) -> bool {
+        if self.count >= N {
+            return false;
+        }
+        self.items[self.count] = item;
+        self.count += 1;
+        true
+    }
+
+    pub(super) const fn replace_first(&mut self, item: T) {
+        self.items[0] = item;
+    }
+
+    pub(super) const fn first(&self) -> &T {
+        &self.items[0]
+    }
+}
+
+impl<T, const N: usize> Several<T, N> {
+    pub(super) const fn count(&self) -> usize {
+        self.count
+    }
+
+    fn items(&self) -> &[T] {
+        self.items.get(..self.count).unwrap_or(&self.items)
+    }
+}
+
+impl<T: Shape, const N: usize> Several<T, N> {
+    /// The item that a face belongs to, and the face within that item.
+    fn owner(&self, face: Face) -> Option<(&T, Face)> {
+        let index = face.0.checked_div(T::FACES)?;
+        Some((self.items().get(usize::from(index))?, Face(face.0 % T::FACES)))
+    }
+}
+
+impl<T: Shape, const N: usize> Shape for Several<T, N> {
+    type Scalar = T::Scalar;
+    const SPANS: usize = N * T::SPANS;
+    const STACK: usize = stack_of_group(N, T::SPANS, T::STACK);
+    const FACES: u16 = faces_of_group(N, T::FACES);
+}
+
+impl<T: Solid, const N: usize> Solid for Several<T, N> {
+    fn spans(
+        &self,
+        line: &Line<Self::Scalar>,
+        first: Face,
+        stack: &mut SpanStack<'_, Self::Scalar>,
+    ) {
+        unite(self.count, T::FACES, first, stack, |index, face, stack| {
+            if let Some(solid) = self.items.get(index) {
+                solid.spans(line, face, stack);
+            }
+        });
+    }
+
+    fn onto(&self, face: Face, near: Vec3<Self::Scalar>) -> Vec3<Self::Scalar> {
+        self.owner(face).map_or(near, |(solid, face)| solid.onto(face, near))
+    }
+
+    fn normal(&self, face: Face, at: Vec3<Self::Scalar>) -> Vec3<Self::Scalar> {
+        self.owner(face).map_or(Vec3::ZERO, |(solid, face)| solid.normal(face, at))
+    }
+
+    fn color(&self, face: Face) -> Option<Rgb> {
+        self.owner(face).and_then(|(solid, face)| solid.color(face))
+    }
+}
+
+/// What is made of each item; there are never more than `N`.
+fn each<'a, T, U, const N: usize>(items: &'a [T], make: impl FnMut(&'a T) -> U) -> Vec<U, N> {
+    let mut made = Vec::new();
+    for item in items.iter().map(make).take(N) {
+        let _ = made.push(item);
+    }
+    made
+}
+
+impl<P, T: Project<P>, const N: usize> Project<P> for Several<T, N> {
+    type View<'a>
+        = SeveralViews<T::View<'a>, N>
+    where
+        Self: 'a;
+
+    fn view<'a>(&'a self, rays: &P) -> Self::View<'a> {
+        SeveralViews { views: each(self.items(), |solid| solid.view(rays)) }
+    }
+}
+
+/// The views of some solids.
+#[derive(Debug, Clone)]
+pub struct SeveralViews<V, const N: usize> {
+    views: Vec<V, N>,
+}
+
+impl<V: View, const N: usize> View for SeveralViews<V, N> {
+    type Scalar = V::Scalar;
+    type Row<'a>
+        = SeveralRows<V::Row<'a>, N>
+    where
+        Self: 'a;
+
+    fn row(&self, y: i32) -> Self::Row<'_> {
+        let rows = each(&self.views, |view| view.row(y));
+        let extent = rows.iter().fold(Extent::EMPTY, |all, row| all.hull(row.extent()));
+        SeveralRows { rows, extent }
+    }
+}
+
+/// The rows of some solids.
+#[derive(Debug, Clone)]
+pub struct SeveralRows<R, const N: usize> {
+    rows: Vec<R, N>,
+    extent: Extent,
+}
+
+impl<R: Row, const N: usize> Row for SeveralRows<R, N> {
+    type Scalar = R::Scalar;
+    const FACES: u16 = faces_of_group(N, R::FACES);
+
+    fn extent(&self) -> Extent {
+        self.extent
+    }
+
+    fn spans(&self, column: Column, first: Face, stack: &mut SpanStack<'_, R::Scalar>) {
+        unite(self.rows.len(), R::FACES, first, stack, |index, face, stack| {
+            if let Some(row) = self.rows.get(index) {
+                spans_inside(row, column, face, stack);
+            }
+        });
+    }
+}
