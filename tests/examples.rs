@@ -121,6 +121,39 @@ fn several_frames_are_an_animation() {
 }
 
 #[test]
+fn the_pipe_looks_alike_in_all_number_types() {
+    let picture = |number: &str| {
+        let out = scratch(&format!("pipe-{number}.png"));
+        let arguments = ["--scene", "pipe", "--camera", "persp", "--size", "96x72"];
+        let rest = ["--number", number, "--out", out.to_str().unwrap()];
+        let output = stream(&[&arguments[..], &rest[..]].concat());
+        assert!(output.status.success(), "{output:?}");
+        read_png(&out).pixels
+    };
+    let single = picture("f32");
+    let bright = single.iter().filter(|&&level| level > 0).count();
+    assert!((1500..4000).contains(&bright), "{bright}");
+    for other in ["f64", "i16f16"].map(picture) {
+        let differs = |(a, b): &(&u8, &u8)| a.abs_diff(**b) > 8;
+        let different = single.iter().zip(&other).filter(differs).count();
+        assert!(different < bright / 50, "{different} of {bright}");
+    }
+}
+
+#[test]
+fn the_pipe_moves_and_survives_noise() {
+    for (path, number) in [("turn", "f64"), ("orbit", "f32"), ("turn", "i16f16")] {
+        let out = scratch(&format!("pipe-{path}-{number}.png"));
+        let arguments = ["--scene", "pipe", "--frames", "3", "--size", "48x36", "--path", path];
+        let rest = ["--format", "rgb565", "--noise", "2000", "--number", number];
+        let output =
+            stream(&[&arguments[..], &rest[..], &["--out", out.to_str().unwrap()]].concat());
+        assert!(output.status.success(), "{output:?}");
+        assert_eq!(read_png(&out).frames, 3);
+    }
+}
+
+#[test]
 fn wrong_arguments_say_what_is_wrong() {
     let cases = [
         (vec!["--size", "0x9"], "zero"),
@@ -146,8 +179,8 @@ fn help_names_every_option() {
     let output = stream(&["--help"]);
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     for option in [
-        "--out", "--size", "--format", "--shade", "--camera", "--number", "--frames", "--path",
-        "--port", "--baud",
+        "--scene", "--out", "--size", "--format", "--shade", "--camera", "--number", "--frames",
+        "--path", "--port", "--baud",
     ] {
         assert!(text.contains(option), "{option}");
     }

@@ -1,4 +1,4 @@
-//! Golden pictures: `tee` as text art that a reader can judge, and a hash for every row of a
+//! Golden pictures: `tee` and `pipe` as text art that a reader can judge, and a hash for every row of a
 //! larger picture that pins down each bit of `f32` and of `I16F16`.
 //!
 //! Run with `SCANCSG_BLESS=1` to write the files anew, and then look at the difference before
@@ -9,26 +9,26 @@
 #[path = "../examples/scene/mod.rs"]
 mod scene;
 
-use scene::{Scene, Tee};
+use scene::Scene;
+use scene::pipe::PipeScene;
 
 use scancsg::geom::Rays;
 use scancsg::render::{Camera, Gray8, Lambert, Picture, Pixel, Shader, Size, XRay};
 use scancsg::scalar::{I16F16, Number, Real, Scalar};
-use scancsg::solid::Project;
+use scancsg::solid::{Project, Solid};
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// The rows of `tee` in grey.
-fn rows<S, C, H>(camera: &C, shader: H, width: u16, height: u16) -> Vec<Vec<u8>>
+/// The rows of a part in grey.
+fn rows<S, T, C, H>(part: &T, camera: &C, shader: H, width: u16, height: u16) -> Vec<Vec<u8>>
 where
     S: Scene,
+    T: Solid<Scalar = S> + Project<C::Rays>,
     C: Camera<Rays: Rays<Scalar = S>>,
     H: Shader<S>,
-    Tee<S>: Project<C::Rays, Scalar = S>,
 {
     let size = Size::new(width, height).unwrap();
-    let tee = S::TEE;
-    let picture = Picture::new(&tee, camera, size, shader, Gray8(0));
+    let picture = Picture::new(part, camera, size, shader, Gray8(0));
     let mut row = vec![Gray8(0); width.into()];
     let render = |mut scanline: scancsg::render::Scanline<'_, '_, _, _, _, _>| {
         scanline.render(&mut row).unwrap();
@@ -84,11 +84,18 @@ fn lambert<S: Scene>() -> Lambert<S> {
 type Fine<S> = <S as Scalar>::Fine;
 
 fn orthographic<S: Scene>(width: u16, height: u16) -> Vec<Vec<u8>> {
-    rows(&S::orthographic().unwrap(), lambert::<S>(), width, height)
+    rows(&S::TEE, &S::orthographic().unwrap(), lambert::<S>(), width, height)
 }
 
 fn perspective<S: Scene>(width: u16, height: u16) -> Vec<Vec<u8>> {
-    rows(&S::perspective().unwrap(), lambert::<S>(), width, height)
+    rows(&S::TEE, &S::perspective().unwrap(), lambert::<S>(), width, height)
+}
+
+/// Along its curve to 1/128 of a unit.
+fn pipe<S: PipeScene>(width: u16, height: u16) -> Vec<Vec<u8>> {
+    let tolerance = S::from_fine(Fine::<S>::ONE / Fine::<S>::from_int(128));
+    let pipe = S::pipe(tolerance).unwrap();
+    rows(&pipe, &S::perspective().unwrap(), lambert::<S>(), width, height)
 }
 
 #[test]
@@ -112,7 +119,7 @@ fn lambert_in_fixed_point() {
 fn xray_orthographic() {
     let camera = f32::orthographic().unwrap();
     let xray = XRay::new(3.0).unwrap();
-    golden("tee_xray_orthographic.txt", &art(&rows(&camera, xray, 48, 36)));
+    golden("tee_xray_orthographic.txt", &art(&rows(&f32::TEE, &camera, xray, 48, 36)));
 }
 
 #[test]
@@ -125,6 +132,13 @@ fn row_hashes_orthographic() {
 fn row_hashes_perspective() {
     golden("tee_160x120_perspective.txt", &hashes(&perspective::<f32>(160, 120)));
     golden("tee_160x120_perspective_i16f16.txt", &hashes(&perspective::<I16F16>(160, 120)));
+}
+
+#[test]
+fn pipe_in_perspective() {
+    golden("pipe_lambert_perspective.txt", &art(&pipe::<f32>(48, 36)));
+    golden("pipe_160x120_perspective.txt", &hashes(&pipe::<f32>(160, 120)));
+    golden("pipe_160x120_perspective_i16f16.txt", &hashes(&pipe::<I16F16>(160, 120)));
 }
 
 /// The catalogue's check value: the hash is the one that other tools call CRC-32.

@@ -8,7 +8,7 @@ mod number;
 
 use number::{Tested, ball, between, coordinates, ray, spans, vector};
 use scancsg::constant;
-use scancsg::geom::{Rays, Vec3, vec3};
+use scancsg::geom::{RayRow, Rays, Vec3, vec3};
 use scancsg::render::{Camera, Gray8, Orthographic, Perspective, Picture, Size, XRay};
 use scancsg::scalar::I16F16;
 use scancsg::solid::{Painted, Pipe, PipeError, Project, Rgb, Shape, Solid};
@@ -337,10 +337,9 @@ where
 {
     let size = Size::new(64, 48).unwrap();
     let picture = Picture::new(solid, camera, size, XRay::new(S::ONE).unwrap(), Gray8(0));
-    let mut list = SpanList::<S, 1024>::new();
     let mut seen = Vec::new();
-    for line in picture.scanlines() {
-        seen.extend((0..64).map(|x| line.seen(x, &mut list).map(|seen| seen.t.to_f64())));
+    for mut line in picture.scanlines() {
+        seen.extend((0..64).map(|x| line.seen(x).map(|seen| seen.t.to_f64())));
     }
     seen
 }
@@ -388,7 +387,7 @@ fn pictures_agree_with_rays<S: Piped>() {
     let (mut different, mut hits) = (0, 0);
     for (i, seen) in (0..).zip(&seen) {
         let (x, y) = (2 * (i % 64) + 1 - 64, 2 * (i / 64) + 1 - 48);
-        let line = rays.line(x, y);
+        let line = rays.row(y).line(x);
         // From the eye, as a ray starts at 0.
         let start = rays.start();
         let ray = scancsg::geom::Ray::new(line.at(start), line.direction).unwrap();

@@ -1,7 +1,9 @@
-//! `tee`, the part that every measurement of this crate uses: a pipe with two flanges, a branch,
+//! `tee`, the part that every measurement of this crate uses (and beside it [`pipe`]): a pipe with two flanges, a branch,
 //! bores through both, and four bolt holes. Units are arbitrary.
 
 #![allow(dead_code)] // every user takes what it needs
+
+pub mod pipe;
 
 use scancsg::constant;
 use scancsg::geom::{Vec3, vec3};
@@ -75,7 +77,7 @@ macro_rules! tee {
             ];
 
             /// The number nearest to this many hundredths.
-            const fn n(hundredths: i32) -> Scalar {
+            pub(super) const fn n(hundredths: i32) -> Scalar {
                 $from_ratio(hundredths, 100)
             }
 

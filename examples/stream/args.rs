@@ -12,6 +12,10 @@ use std::path::PathBuf;
 #[derive(Debug, Parser)]
 #[command(name = "stream", version)]
 pub struct Args {
+    /// What is rendered: a pipe tee with flanges, or a pipe along a B-spline
+    #[arg(long, value_enum, default_value_t = Part::Tee)]
+    pub scene: Part,
+
     /// The PNG file to write; several frames become an animation
     #[arg(long, value_name = "FILE.png", default_value = "tee.png")]
     pub out: PathBuf,
@@ -60,6 +64,12 @@ pub struct Args {
     /// Close the line after N bytes, to see what becomes of an interrupted frame
     #[arg(long, value_name = "N")]
     pub cut_after: Option<u64>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Part {
+    Tee,
+    Pipe,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -1,12 +1,13 @@
 //! The host: chooses what is rendered, gives it a line, and looks at what comes out.
 
-use crate::args::{Args, Camera, Format, Number, Path, Shade};
+use crate::args::{self, Args, Camera, Format, Number, Path, Shade};
 use crate::device::{self, Delivery, DeviceError, Line};
 use crate::host::image::write_png;
 use crate::host::port::{self, Faults, Port, Wire};
 use crate::host::receive::{CAPACITY, Ending, Frame, Session};
 use crate::host::terminal::Display;
-use crate::scene::{LAP, Scene};
+use crate::scene::LAP;
+use crate::scene::pipe::PipeScene;
 use clap::Parser;
 use scancsg::geom::{Parallel, Pencil, Pose, Rays};
 use scancsg::render::{Depth, Gray8, Lambert, Picture, Pixel, Rgb565, Shader, Size, XRay};
@@ -18,6 +19,17 @@ use std::io::{self, Read, Write};
 use std::process::ExitCode;
 use std::thread;
 use std::time::{Duration, Instant};
+
+/// The pipe's segments follow its curve to this part of a pixel, in pictures of up to so many rows:
+/// there is room for no more segments.
+const PIXEL_PART: f64 = 0.25;
+const FINEST_ROWS: u16 = 480;
+
+/// The height of what the camera sees at the pipe's nearest point, or less.
+const NEAR_HEIGHT: f64 = 3.7;
+
+/// For the pipe's segments, and their views and rows, which an unoptimised build copies about.
+const SENDER_STACK: usize = 16 << 20;
 
 /// With no sender, this long is waited for a frame.
 const PATIENCE: Duration = Duration::from_secs(5);
@@ -117,7 +129,10 @@ fn loop_back(args: &Args) -> Result<(), String> {
     let (near, far) = port::loopback()?;
     let start = Instant::now();
     thread::scope(|scope| {
-        let sender = scope.spawn(|| send(args, line(far, args), &mut |_| {}));
+        let sender = thread::Builder::new()
+            .stack_size(SENDER_STACK)
+            .spawn_scoped(scope, || send(args, line(far, args), &mut |_| {}))
+            .map_err(|error| format!("starting a thread failed: {error}"))?;
         let mut session = Session::new(near);
         let display = Display::new();
         let mut frames: Vec<Frame> = Vec::new();
@@ -186,7 +201,7 @@ fn send(args: &Args, line: HostLine, sent: &mut dyn FnMut(u16)) -> Result<Sent, 
 }
 
 /// A number type that the example can be asked for.
-trait Choice: Scene {
+trait Choice: PipeScene {
     fn nearest(number: f64) -> Self;
 }
 
@@ -213,9 +228,22 @@ fn send_number<S: Choice>(
     line: HostLine,
     sent: &mut dyn FnMut(u16),
 ) -> Result<Sent, String> {
-    match args.format {
-        Format::Gray8 => send_shaded(args, line, sent, &S::TEE, Gray8(0)),
-        Format::Rgb565 => send_shaded(args, line, sent, &S::PAINTED_TEE, Rgb565(0)),
+    let pixel = NEAR_HEIGHT / f64::from(args.size.height().min(FINEST_ROWS));
+    let tolerance = S::nearest(PIXEL_PART * pixel);
+    let text = |error: scancsg::solid::PipeError| error.to_string();
+    match (args.scene, args.format) {
+        (args::Part::Tee, Format::Gray8) => send_shaded(args, line, sent, &S::TEE, Gray8(0)),
+        (args::Part::Tee, Format::Rgb565) => {
+            send_shaded(args, line, sent, &S::PAINTED_TEE, Rgb565(0))
+        }
+        (args::Part::Pipe, Format::Gray8) => {
+            let pipe = S::pipe(tolerance).map_err(text)?;
+            send_shaded(args, line, sent, &pipe, Gray8(0))
+        }
+        (args::Part::Pipe, Format::Rgb565) => {
+            let pipe = S::painted_pipe(tolerance).map_err(text)?;
+            send_shaded(args, line, sent, &pipe, Rgb565(0))
+        }
     }
 }
 

@@ -82,126 +82,71 @@ impl<T: Solid, const N: usize> Solid for [T; N] {
     }
 }
 
-impl<P, T: Project<P>, const N: usize> Project<P> for [T; N] {
-    type View = [T::View; N];
-    type Row = GroupRow<T::Row, N>;
+/// [`Project`] for what has up to `N` elements of one kind: those that `items` gives.
+macro_rules! project_as_group {
+    ($Group:ty, $items:ident) => {
+        impl<P, T: $crate::solid::Project<P>, const N: usize> $crate::solid::Project<P> for $Group {
+            type View = [T::View; N];
+            type Row = $crate::solid::group::GroupRow<T::Row, N>;
 
-    fn view(&self, rays: &P, view: &mut Self::View) {
-        for (solid, view) in self.iter().zip(view) {
-            solid.view(rays, view);
-        }
-    }
+            fn view(&self, rays: &P, view: &mut Self::View) {
+                for (solid, view) in self.$items().iter().zip(view) {
+                    solid.view(rays, view);
+                }
+            }
 
-    fn row(&self, view: &Self::View, y: i32, row: &mut Self::Row) {
-        row.in_row = 0;
-        for ((index, solid), (view, element)) in
-            (0..).zip(self).zip(view.iter().zip(&mut row.elements))
-        {
-            solid.row(view, y, element);
-            if T::outlook(element, 0) != Outlook::EMPTY {
-                put(&mut row.of_row, &mut row.in_row, index);
+            fn row(&self, view: &Self::View, y: i32, row: &mut Self::Row) {
+                row.set::<P, T>(self.$items(), view, y);
+            }
+
+            fn outlook(row: &Self::Row, column: u32) -> $crate::solid::Outlook {
+                row.outlook::<P, T>(column)
+            }
+
+            fn enter(row: &mut Self::Row, column: u32) {
+                row.enter::<P, T>(column);
+            }
+
+            fn spans_at(
+                &self,
+                view: &Self::View,
+                row: &Self::Row,
+                column: $crate::geom::Column,
+                first: Face,
+                stack: &mut SpanStack<'_, Self::Scalar>,
+            ) {
+                row.spans::<P, T>(self.$items(), view, column, first, stack);
+            }
+
+            #[inline]
+            fn holds(
+                &self,
+                view: &Self::View,
+                row: &mut Self::Row,
+                x: i32,
+                t: Self::Scalar,
+            ) -> bool {
+                row.holds::<P, T>(self.$items(), view, x, t)
+            }
+
+            #[inline]
+            fn look(
+                &self,
+                view: &Self::View,
+                row: &mut Self::Row,
+                x: i32,
+                t: Self::Scalar,
+                first: Face,
+            ) -> $crate::solid::Look<Self::Scalar> {
+                row.look::<P, T>(self.$items(), view, x, t, first)
             }
         }
-    }
-
-    fn outlook(row: &Self::Row, column: u32) -> Outlook {
-        let mut all = Outlook::EMPTY;
-        for element in row.of_row.iter().take(row.in_row.into()) {
-            if let Some(element) = row.elements.get(usize::from(*element)) {
-                let one = T::outlook(element, column);
-                all.is_there |= one.is_there;
-                all.until = all.until.min(one.until);
-            }
-        }
-        all
-    }
-
-    fn enter(row: &mut Self::Row, column: u32) {
-        row.in_run = 0;
-        for &index in row.of_row.iter().take(row.in_row.into()) {
-            if let Some(element) = row.elements.get_mut(usize::from(index))
-                && T::outlook(element, column).is_there
-            {
-                T::enter(element, column);
-                put(&mut row.of_run, &mut row.in_run, index);
-            }
-        }
-    }
-
-    fn spans_at(
-        &self,
-        view: &Self::View,
-        row: &Self::Row,
-        column: Column,
-        first: Face,
-        stack: &mut SpanStack<'_, Self::Scalar>,
-    ) {
-        unite(N, T::FACES, first, stack, |index, face, stack| {
-            if let (Some(solid), Some(view), Some(row)) =
-                (self.get(index), view.get(index), row.elements.get(index))
-            {
-                spans_inside(solid, view, row, column, face, stack);
-            }
-        });
-    }
-
-    #[inline]
-    fn holds(&self, view: &Self::View, row: &mut Self::Row, x: i32, t: Self::Scalar) -> bool {
-        row.of_run.iter().take(row.in_run.into()).any(|&index| {
-            let index = usize::from(index);
-            match (self.get(index), view.get(index), row.elements.get_mut(index)) {
-                (Some(solid), Some(view), Some(row)) => solid.holds(view, row, x, t),
-                _ => false,
-            }
-        })
-    }
-
-    #[inline]
-    fn look(
-        &self,
-        view: &Self::View,
-        row: &mut Self::Row,
-        x: i32,
-        t: Self::Scalar,
-        first: Face,
-    ) -> Look<Self::Scalar> {
-        let mut all = look_at_each(self, view, row, x, t, first);
-        // From outside of all elements, the first that is entered decides; from inside, the first
-        // behind which none is left.
-        if all.inside {
-            while all.next.t < Self::Scalar::HIGHEST && self.holds(view, row, x, all.next.t) {
-                all.next = look_at_each(self, view, row, x, all.next.t, first).next;
-            }
-        }
-        all
-    }
+    };
 }
 
-/// Whether a ray is inside of any element, and the first crossing of one.
-#[inline]
-fn look_at_each<P, T: Project<P>, const N: usize>(
-    group: &[T; N],
-    views: &[T::View; N],
-    row: &mut GroupRow<T::Row, N>,
-    x: i32,
-    t: T::Scalar,
-    first: Face,
-) -> Look<T::Scalar> {
-    let mut all = Look::EMPTY;
-    for &index in row.of_run.iter().take(row.in_run.into()) {
-        let element = usize::from(index);
-        if let (Some(solid), Some(view), Some(row)) =
-            (group.get(element), views.get(element), row.elements.get_mut(element))
-        {
-            let one = solid.look(view, row, x, t, first.offset(index * T::FACES));
-            all.inside |= one.inside;
-            if one.next.t < all.next.t {
-                all.next = one.next;
-            }
-        }
-    }
-    all
-}
+project_as_group!([T; N], as_slice);
+
+pub(super) use project_as_group;
 
 /// The rows of a group, and which of them matter.
 #[derive(Debug, Clone, Copy)]
@@ -218,6 +163,129 @@ pub struct GroupRow<R, const N: usize> {
 impl<R: Blank, const N: usize> Blank for GroupRow<R, N> {
     const BLANK: Self =
         Self { elements: [R::BLANK; N], of_row: [0; N], of_run: [0; N], in_row: 0, in_run: 0 };
+}
+
+impl<R, const N: usize> GroupRow<R, N> {
+    pub(super) fn set<P, T: Project<P, Row = R>>(
+        &mut self,
+        solids: &[T],
+        views: &[T::View],
+        y: i32,
+    ) {
+        self.in_row = 0;
+        for ((index, solid), (view, element)) in
+            (0..).zip(solids).zip(views.iter().zip(&mut self.elements))
+        {
+            solid.row(view, y, element);
+            if T::outlook(element, 0) != Outlook::EMPTY {
+                put(&mut self.of_row, &mut self.in_row, index);
+            }
+        }
+    }
+
+    pub(super) fn outlook<P, T: Project<P, Row = R>>(&self, column: u32) -> Outlook {
+        let mut all = Outlook::EMPTY;
+        for element in self.of_row.iter().take(self.in_row.into()) {
+            if let Some(element) = self.elements.get(usize::from(*element)) {
+                let one = T::outlook(element, column);
+                all.is_there |= one.is_there;
+                all.until = all.until.min(one.until);
+            }
+        }
+        all
+    }
+
+    pub(super) fn enter<P, T: Project<P, Row = R>>(&mut self, column: u32) {
+        self.in_run = 0;
+        for &index in self.of_row.iter().take(self.in_row.into()) {
+            if let Some(element) = self.elements.get_mut(usize::from(index))
+                && T::outlook(element, column).is_there
+            {
+                T::enter(element, column);
+                put(&mut self.of_run, &mut self.in_run, index);
+            }
+        }
+    }
+
+    pub(super) fn spans<P, T: Project<P, Row = R>>(
+        &self,
+        solids: &[T],
+        views: &[T::View],
+        column: Column,
+        first: Face,
+        stack: &mut SpanStack<'_, T::Scalar>,
+    ) {
+        unite(solids.len(), T::FACES, first, stack, |index, face, stack| {
+            if let (Some(solid), Some(view), Some(row)) =
+                (solids.get(index), views.get(index), self.elements.get(index))
+            {
+                spans_inside(solid, view, row, column, face, stack);
+            }
+        });
+    }
+
+    #[inline]
+    pub(super) fn holds<P, T: Project<P, Row = R>>(
+        &mut self,
+        solids: &[T],
+        views: &[T::View],
+        x: i32,
+        t: T::Scalar,
+    ) -> bool {
+        self.of_run.iter().take(self.in_run.into()).any(|&index| {
+            let index = usize::from(index);
+            match (solids.get(index), views.get(index), self.elements.get_mut(index)) {
+                (Some(solid), Some(view), Some(row)) => solid.holds(view, row, x, t),
+                _ => false,
+            }
+        })
+    }
+
+    #[inline]
+    pub(super) fn look<P, T: Project<P, Row = R>>(
+        &mut self,
+        solids: &[T],
+        views: &[T::View],
+        x: i32,
+        t: T::Scalar,
+        first: Face,
+    ) -> Look<T::Scalar> {
+        let mut all = self.look_at_each(solids, views, x, t, first);
+        // From outside of all elements, the first that is entered decides; from inside, the first
+        // behind which none is left.
+        if all.inside {
+            while all.next.t < T::Scalar::HIGHEST && self.holds(solids, views, x, all.next.t) {
+                all.next = self.look_at_each(solids, views, x, all.next.t, first).next;
+            }
+        }
+        all
+    }
+
+    /// Whether a ray is inside of any element, and the first crossing of one.
+    #[inline]
+    fn look_at_each<P, T: Project<P, Row = R>>(
+        &mut self,
+        solids: &[T],
+        views: &[T::View],
+        x: i32,
+        t: T::Scalar,
+        first: Face,
+    ) -> Look<T::Scalar> {
+        let mut all = Look::EMPTY;
+        for &index in self.of_run.iter().take(self.in_run.into()) {
+            let element = usize::from(index);
+            if let (Some(solid), Some(view), Some(row)) =
+                (solids.get(element), views.get(element), self.elements.get_mut(element))
+            {
+                let one = solid.look(view, row, x, t, first.offset(index * T::FACES));
+                all.inside |= one.inside;
+                if one.next.t < all.next.t {
+                    all.next = one.next;
+                }
+            }
+        }
+        all
+    }
 }
 
 /// Puts an index behind the first `count` of a list that has room for all there are.

@@ -89,8 +89,5 @@ impl<T: Solid> Solid for Painted<T> {
 }
 
 impl<R, T: Project<R>> Project<R> for Painted<T> {
-    type View = T::View;
-    type Row = T::Row;
-
-    project_as_within!(|_painted, rays| rays);
+    project_as_within!(solid: T, |_painted, rays: R| rays);
 }

@@ -53,8 +53,5 @@ impl<T: Solid> Solid for Placed<'_, T> {
 }
 
 impl<R: Rays<Scalar = T::Scalar>, T: Project<R>> Project<R> for Placed<'_, T> {
-    type View = T::View;
-    type Row = T::Row;
-
-    project_as_within!(|placed, rays| &rays.back_from(&placed.pose));
+    project_as_within!(solid: T, |placed, rays: R| &rays.back_from(&placed.pose));
 }

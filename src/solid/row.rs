@@ -264,24 +264,27 @@ macro_rules! leaf {
     };
 }
 
-/// The methods of [`Project`] for a solid around the solid `T`, seen along rays of its own.
+/// [`Project`] for what is another solid in its field of that name, seen along `own` rays.
 macro_rules! project_as_within {
-    (|$around:ident, $rays:ident| $own:expr) => {
-        fn view(&self, $rays: &R, view: &mut Self::View) {
+    ($field:ident: $Solid:ty, |$around:ident, $rays:ident: $Rays:ident| $own:expr) => {
+        type View = <$Solid as $crate::solid::Project<$Rays>>::View;
+        type Row = <$Solid as $crate::solid::Project<$Rays>>::Row;
+
+        fn view(&self, $rays: &$Rays, view: &mut Self::View) {
             let $around = self;
-            self.solid.view($own, view);
+            self.$field.view($own, view);
         }
 
         fn row(&self, view: &Self::View, y: i32, row: &mut Self::Row) {
-            self.solid.row(view, y, row);
+            self.$field.row(view, y, row);
         }
 
         fn outlook(row: &Self::Row, column: u32) -> $crate::solid::row::Outlook {
-            T::outlook(row, column)
+            <$Solid as $crate::solid::Project<$Rays>>::outlook(row, column)
         }
 
         fn enter(row: &mut Self::Row, column: u32) {
-            T::enter(row, column);
+            <$Solid as $crate::solid::Project<$Rays>>::enter(row, column);
         }
 
         #[inline]
@@ -293,12 +296,12 @@ macro_rules! project_as_within {
             first: Face,
             stack: &mut SpanStack<'_, Self::Scalar>,
         ) {
-            self.solid.spans_at(view, row, column, first, stack);
+            self.$field.spans_at(view, row, column, first, stack);
         }
 
         #[inline]
         fn holds(&self, view: &Self::View, row: &mut Self::Row, x: i32, t: Self::Scalar) -> bool {
-            self.solid.holds(view, row, x, t)
+            self.$field.holds(view, row, x, t)
         }
 
         #[inline]
@@ -310,7 +313,7 @@ macro_rules! project_as_within {
             t: Self::Scalar,
             first: Face,
         ) -> $crate::solid::row::Look<Self::Scalar> {
-            self.solid.look(view, row, x, t, first)
+            self.$field.look(view, row, x, t, first)
         }
     };
 }

@@ -171,7 +171,7 @@ macro_rules! constructors {
                 before: &Cylinder<$Scalar>,
                 after: &Cylinder<$Scalar>,
             ) -> Result<Joint<$Scalar>, PipeError> {
-                let Tube { base, radius } = after.tube;
+                let Tube { base, radius, .. } = after.tube;
                 let ball = match Sphere::<$Scalar>::new(base, radius) {
                     Ok(ball) => ball,
                     Err(error) => return Err(of_ball(error)),

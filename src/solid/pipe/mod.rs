@@ -4,7 +4,7 @@ mod lay;
 mod several;
 
 use super::boolean::Boolean;
-use super::row::Project;
+use super::row::{Project, project_as_within};
 use super::{
     Cylinder, Difference, Intersect, Intersection, Rgb, Shape, Slab, Solid, Sphere, Union,
 };
@@ -144,14 +144,7 @@ where
     S: Scalar,
     Parts<S, SEGMENTS>: Project<P, Scalar = S>,
 {
-    type View<'a>
-        = <Parts<S, SEGMENTS> as Project<P>>::View<'a>
-    where
-        Self: 'a;
-
-    fn view<'a>(&'a self, rays: &P) -> Self::View<'a> {
-        self.parts.view(rays)
-    }
+    project_as_within!(parts: Parts<S, SEGMENTS>, |_pipe, rays: P| rays);
 }
 
 operators! {

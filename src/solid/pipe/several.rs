@@ -1,12 +1,9 @@
 //! Up to so many solids of one kind: their union, as that of an array.
 
-use crate::geom::{Column, Extent, Line, Vec3};
-use crate::solid::boolean::spans_inside;
-use crate::solid::group::{faces_of_group, stack_of_group, unite};
-use crate::solid::row::{Project, Row, View};
+use crate::geom::{Line, Vec3};
+use crate::solid::group::{faces_of_group, project_as_group, stack_of_group, unite};
 use crate::solid::{Rgb, Shape, Solid};
 use crate::span::{Face, SpanStack};
-use heapless::Vec;
 
 /// From one to `N` solids.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,66 +90,4 @@ impl<T: Solid, const N: usize> Solid for Several<T, N> {
     }
 }
 
-/// What is made of each item; there are never more than `N`.
-fn each<'a, T, U, const N: usize>(items: &'a [T], make: impl FnMut(&'a T) -> U) -> Vec<U, N> {
-    let mut made = Vec::new();
-    for item in items.iter().map(make).take(N) {
-        let _ = made.push(item);
-    }
-    made
-}
-
-impl<P, T: Project<P>, const N: usize> Project<P> for Several<T, N> {
-    type View<'a>
-        = SeveralViews<T::View<'a>, N>
-    where
-        Self: 'a;
-
-    fn view<'a>(&'a self, rays: &P) -> Self::View<'a> {
-        SeveralViews { views: each(self.items(), |solid| solid.view(rays)) }
-    }
-}
-
-/// The views of some solids.
-#[derive(Debug, Clone)]
-pub struct SeveralViews<V, const N: usize> {
-    views: Vec<V, N>,
-}
-
-impl<V: View, const N: usize> View for SeveralViews<V, N> {
-    type Scalar = V::Scalar;
-    type Row<'a>
-        = SeveralRows<V::Row<'a>, N>
-    where
-        Self: 'a;
-
-    fn row(&self, y: i32) -> Self::Row<'_> {
-        let rows = each(&self.views, |view| view.row(y));
-        let extent = rows.iter().fold(Extent::EMPTY, |all, row| all.hull(row.extent()));
-        SeveralRows { rows, extent }
-    }
-}
-
-/// The rows of some solids.
-#[derive(Debug, Clone)]
-pub struct SeveralRows<R, const N: usize> {
-    rows: Vec<R, N>,
-    extent: Extent,
-}
-
-impl<R: Row, const N: usize> Row for SeveralRows<R, N> {
-    type Scalar = R::Scalar;
-    const FACES: u16 = faces_of_group(N, R::FACES);
-
-    fn extent(&self) -> Extent {
-        self.extent
-    }
-
-    fn spans(&self, column: Column, first: Face, stack: &mut SpanStack<'_, R::Scalar>) {
-        unite(self.rows.len(), R::FACES, first, stack, |index, face, stack| {
-            if let Some(row) = self.rows.get(index) {
-                spans_inside(row, column, face, stack);
-            }
-        });
-    }
-}
+project_as_group!(Several<T, N>, items);
