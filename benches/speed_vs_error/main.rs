@@ -1,4 +1,5 @@
-//! Speed against error: methods of casting a ray at a cylinder, on rays that break some of them.
+//! Speed against error: methods of casting a ray at a cylinder, on rays that break some of them; and
+//! of evaluating a B-spline, on curves that break some.
 //!
 //! `cargo bench --bench speed_vs_error -- --help`
 
@@ -12,6 +13,7 @@ mod rays;
 mod reference;
 mod report;
 mod results;
+mod splines;
 mod targets;
 mod timing;
 
@@ -22,9 +24,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Measures time and error of several methods of casting a ray at a cylinder, on 31 sets of rays.
+/// Measures time and error of several methods of casting a ray at a cylinder, on 31 sets of rays, and
+/// of evaluating B-splines.
 ///
-/// Prints a table and writes docs/speed_vs_error.csv, .md and .svg.
+/// Prints tables and writes docs/speed_vs_error.csv, .md and .svg, and speed_vs_error_splines.csv.
 #[derive(Parser)]
 #[command(name = "speed_vs_error", bin_name = "cargo bench --bench speed_vs_error --")]
 struct Args {
@@ -32,7 +35,7 @@ struct Args {
     #[arg(long)]
     quick: bool,
 
-    /// Fail if a shipped method, f32 or I16F16, misses a target of accuracy; times are never judged
+    /// Fail if a shipped method, f32 or I16F16, or a spline misses a target of accuracy; times are never judged
     #[arg(long)]
     check: bool,
 
@@ -52,13 +55,23 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     println!("{rays} rays a set; time as a multiple of the textbook f32 formula's.");
     print!("{}", report::table(&results));
 
+    let curves = if quick { 20 } else { 400 };
+    let splines = splines::Results::measure(curves, rounds)?;
+    println!(
+        "\nAt least {} points of each kind of curves; time as a multiple of enterpolation's.",
+        splines.points
+    );
+    print!("{}", splines::table(&splines));
+
     let folder = if quick {
         PathBuf::from(env!("CARGO_TARGET_TMPDIR"))
     } else {
         Path::new(env!("CARGO_MANIFEST_DIR")).join("docs")
     };
     fs::write(folder.join("speed_vs_error.csv"), report::csv(&results))?;
-    fs::write(folder.join("speed_vs_error.md"), report::markdown(&results))?;
+    let markdown = report::markdown(&results) + &splines::markdown(&splines);
+    fs::write(folder.join("speed_vs_error.md"), markdown)?;
+    fs::write(folder.join("speed_vs_error_splines.csv"), splines::csv(&splines))?;
     plot::write(&results, &folder.join("speed_vs_error.svg"))?;
 
     let mut failed = false;
@@ -68,6 +81,10 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         shortfalls.iter().for_each(|shortfall| println!("  {shortfall}"));
         failed |= args.check && !shortfalls.is_empty();
     }
+    let shortfalls = splines::shortfalls(&splines);
+    println!("\nTargets missed by splines: {}", shortfalls.len());
+    shortfalls.iter().for_each(|shortfall| println!("  {shortfall}"));
+    failed |= args.check && !shortfalls.is_empty();
     Ok(if failed { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
 

@@ -2,6 +2,7 @@
 
 use crate::formulas;
 use crate::rays::{Query, REACH, UNIT, rounded};
+use crate::timing::Pass;
 use parry3d::math::Vector;
 use parry3d::query::RayCast;
 use scancsg::geom::{Ray, vec3};
@@ -92,9 +93,6 @@ pub enum Answer {
 /// A hit point and whether it is said to lie on the wall (or else on a cap).
 pub type SurfacePoint = ([f64; 3], bool);
 
-/// Answers some queries once, for a clock around the call.
-pub type Pass = Box<dyn Fn()>;
-
 type PreparePass = dyn Fn(&[Query]) -> Pass;
 
 pub struct Method {
@@ -146,12 +144,10 @@ impl Method {
     }
 }
 
-/// The method that every time is a multiple of: the first one.
-pub const BASELINE: usize = 0;
-
 /// The methods whose answers are held against the targets.
 pub const SHIPPED: [[&str; 2]; 2] = [["scancsg", "f32"], ["scancsg", "I16F16"]];
 
+/// The first one is what every time is a multiple of.
 pub fn methods() -> Vec<Method> {
     vec![
         Method::new(["textbook", "f32"], numbers_f32, formulas::f32::textbook),
