@@ -32,7 +32,7 @@ fn a_render_of_tee_needs_little_memory() {
     let [single, fixed] = [sizes::<f32>(), sizes::<I16F16>()];
     println!("picture, scanline: {single:?} bytes in f32, {fixed:?} in I16F16");
     // Pointers are half as long on a microcontroller.
-    assert!(single.iter().sum::<usize>() <= 2400, "{single:?}");
-    assert!(fixed.iter().sum::<usize>() <= 4600, "{fixed:?}");
+    assert!(single.iter().sum::<usize>() <= 1900, "{single:?}");
+    assert!(fixed.iter().sum::<usize>() <= 3400, "{fixed:?}");
     assert_eq!(packet_capacity(160, PixelFormat::Gray8), 172);
 }
