@@ -108,18 +108,13 @@ impl<S: Scalar> Direction<S> {
 }
 
 impl Axis {
-    /// The coordinates of a vector in cyclic order, beginning with this axis.
+    /// The coordinates of a vector, this axis's first and the others in any order: two change places.
     #[inline]
     pub(crate) fn turned<T: Copy>(self, v: Vec3<T>) -> [T; 3] {
-        // On a host, `match` becomes loads of pairs, which wait where a ray was just written.
-        if cfg!(target_pointer_width = "64") {
-            let (v, i) = ([v.x, v.y, v.z], self as usize);
-            return [v[i], v[if i >= 2 { 0 } else { i + 1 }], v[if i == 0 { 2 } else { i - 1 }]];
-        }
         match self {
             Self::X => [v.x, v.y, v.z],
-            Self::Y => [v.y, v.z, v.x],
-            Self::Z => [v.z, v.x, v.y],
+            Self::Y => [v.y, v.x, v.z],
+            Self::Z => [v.z, v.y, v.x],
         }
     }
 

@@ -42,6 +42,31 @@ pub(super) fn two_product(a: f32, b: f32) -> (f32, f32) {
     (f32::from_bits(x), f32::from_bits(y))
 }
 
+/// `x·x + (y·y − z)`, by fused products and sums.
+#[cfg(not(target_has_atomic = "64"))]
+#[inline]
+pub(super) fn squares_less([x, y]: [f32; 2], z: f32) -> f32 {
+    let mut bits = z.to_bits();
+    // SAFETY: as in `two_product`.
+    unsafe {
+        asm!(
+            "vmov s14, s15, {x}, {y}",
+            "vmov s13, {z}",
+            "vfnms.f32 s13, s15, s15", // y·y − z
+            "vfma.f32 s13, s14, s14",
+            "vmov {z}, s13",
+            x = in(reg) x.to_bits(),
+            y = in(reg) y.to_bits(),
+            z = inout(reg) bits,
+            out("s13") _,
+            out("s14") _,
+            out("s15") _,
+            options(pure, nomem, nostack, preserves_flags),
+        );
+    }
+    f32::from_bits(bits)
+}
+
 /// The square root, correctly rounded; NaN below zero.
 #[inline]
 pub(super) fn sqrt(x: f32) -> f32 {

@@ -9,87 +9,122 @@
 //! The axis is never normalised away, and `|d × axis|²` is never 1 − d²: a line along the axis
 //! gives m = 0 exactly.
 
-use super::{Intersect, Meeting, Passage};
+use super::{Intersect, Passage};
 use crate::geom::{Axis, Direction, Line, Vec3};
 use crate::scalar::{Double, Float, two_sum};
 use crate::solid::cylinder::{Cylinder, Tube, WALL};
 use crate::solid::slab::Slab;
 use crate::span::{Crossing, Span};
 
+/// Where a line is inside the wall: from the first parameter to the second one, which are the same
+/// for a tangent. For a line beside the wall, the first one is larger.
+type Inside<S> = (S, S);
+
 impl<S: Float> Tube<S> {
-    /// Where the line meets the wall.
-    fn meet(&self, axis: &Direction<S>, line: &Line<S>) -> Meeting<S> {
-        let Some(along) = axis.along() else { return self.meet_obliquely(axis, line) };
-        let [o, base, m] = [line.origin, self.base, line.direction].map(|v| along.across(v));
-        self.meet_clearly(o, base, m).unwrap_or_else(|| self.meet_across(o, base, m))
+    const NOWHERE: Inside<S> = (S::HIGHEST, S::LOWEST);
+    const EVERYWHERE: Inside<S> = (S::LOWEST, S::HIGHEST);
+
+    /// Along a coordinate axis: where the line is inside the wall, quickly if it is neither near a
+    /// tangent nor starts near the wall or inside.
+    ///
+    /// There q and m are two coordinates of u and d, turned by 90°, and plain sums do. The error of k
+    /// is that of |q||m|, and so is s, as long as the line starts outside: D > k²/8 holds down the
+    /// k/√D times as much that reaches s. With c > r² little cancels in c and b, and b isn't zero.
+    /// `None` is for all other lines.
+    #[inline(always)]
+    fn meet_clearly(&self, o: [S; 2], base: [S; 2], m: [S; 2]) -> Option<Inside<S>> {
+        let q = [o[0] - base[0], o[1] - base[1]];
+        let radius_squared = self.radius * self.radius;
+        let a = m[0] * m[0] + m[1] * m[1];
+        let k = q[0] * m[1] - q[1] * m[0];
+        let (largest, square) = (radius_squared * a, k * k);
+        let discriminant = largest - square;
+        if discriminant * S::from_int(8) > square {
+            let c = S::squares_less(q, radius_squared);
+            if c > radius_squared {
+                let b = q[0] * m[0] + q[1] * m[1];
+                let s = discriminant.sqrt() + b.abs();
+                let (near, far) = (c / s, s / a);
+                return Some(if b > S::ZERO { (-far, -near) } else { (near, far) });
+            }
+        } else {
+            // Several times what D can be wrong by, k's error included.
+            let [q, m] = [q, m].map(|[x, y]| x.abs() + y.abs());
+            let error = (largest + k.abs() * (q * m)) * S::from_int(4) * S::EPSILON;
+            if discriminant < -error && a > S::EPSILON {
+                return Some(Self::NOWHERE);
+            }
+        }
+        None
     }
 
-    /// Along a coordinate axis: where the line meets the wall, if it is far from a tangent.
+    /// Along a coordinate axis: where the line is inside the wall.
     ///
-    /// There q and m are two coordinates of u and d, turned by 90°. Compensated are the two terms
-    /// that cancel wherever the line starts: k, and c. The error of D is then a few units of r²a,
-    /// and reaches s divided by 2√D: so √D·s ≥ r²a/2 holds it to a few units of s. `None` is for
-    /// what is nearer to a tangent, or to a parallel to the axis.
-    // Always: the answer is handed on in registers. Written to memory in pieces and read as a
-    // whole, it would wait for the writes.
-    #[inline(always)]
-    fn meet_clearly(&self, o: [S; 2], base: [S; 2], m: [S; 2]) -> Option<Meeting<S>> {
+    /// Compensated are the two terms that cancel wherever the line starts: k, and c. The error of D
+    /// is then a few units of r²a, and reaches s divided by 2√D: so √D·s ≥ r²a/2 holds it to a few
+    /// units of s. What is nearer to a tangent, or to a parallel to the axis, goes on to
+    /// `meet_across`.
+    #[inline]
+    fn meet_carefully(&self, o: [S; 2], base: [S; 2], m: [S; 2]) -> Inside<S> {
+        let radius = self.radius;
         let q = [Double::sum(o[0], -base[0]), Double::sum(o[1], -base[1])];
         let a = m[0] * m[0] + m[1] * m[1];
         let k = S::product_difference(q[0].high, m[1], q[1].high, m[0])
             + (q[0].low * m[1] - q[1].low * m[0]);
-        let largest = self.radius * self.radius * a;
+        let largest = radius * radius * a;
         let discriminant = largest - k * k;
         let b = q[0].high * m[0] + q[1].high * m[1];
         // NaN where D is negative: then it isn't clear.
         let half = discriminant.sqrt();
         let s = half + b.abs();
         if half * s > largest * S::HALF {
-            let c = squared_less_square(q, self.radius);
-            let [enter, exit] = ends(a, b, c, half);
-            return Some(Meeting::Points(enter, exit));
+            return ends(a, b, squared_less_square(q, radius), half);
         }
         // Several times what D can be wrong by, as long as no square has lost its digits.
         let error = largest * S::EPSILON * S::from_int(32);
-        (discriminant < -error && a > S::EPSILON).then_some(Meeting::Beside)
+        if discriminant < -error && a > S::EPSILON {
+            return Self::NOWHERE;
+        }
+        Self::meet_across(q, m, radius)
     }
 
-    /// Along a coordinate axis: where the line meets the wall, with everything that can cancel in
+    /// Along a coordinate axis: where the line is inside the wall, with everything that can cancel in
     /// twice the working precision.
     #[inline]
-    fn meet_across(&self, o: [S; 2], base: [S; 2], m: [S; 2]) -> Meeting<S> {
-        let q = [Double::sum(o[0], -base[0]), Double::sum(o[1], -base[1])];
-        let radius_squared = Double::product(self.radius, self.radius);
+    fn meet_across(q: [Double<S>; 2], m: [S; 2], radius: S) -> Inside<S> {
+        let radius_squared = Double::product(radius, radius);
         let a = Double::product(m[0], m[0]).plus_roughly(Double::product(m[1], m[1]));
         if a.high <= S::ZERO {
-            let c = squared_less_square(q, self.radius);
-            return if c < S::ZERO { Meeting::Within } else { Meeting::Along };
+            return Self::parallel(squared_less_square(q, radius));
         }
         let k = Double::product(q[0].high, m[1]).minus_roughly(Double::product(q[1].high, m[0]));
         let k = Double { low: k.low + (q[0].low * m[1] - q[1].low * m[0]), ..k };
         let discriminant = Double::product_less_square(radius_squared, a, k);
         if discriminant < S::ZERO {
-            return Meeting::Beside;
+            return Self::NOWHERE;
         }
         let b = Double::product(q[0].high, m[0]).plus_roughly(Double::product(q[1].high, m[1]));
         let b = b.high + (b.low + (q[0].low * m[0] + q[1].low * m[1]));
         if discriminant == S::ZERO {
             // A tangent has one root, but c/s would round to another number, or be 0/0.
             let t = -b / a.high;
-            return Meeting::Points(t, t);
+            return (t, t);
         }
-        let c = squared_less_square(q, self.radius);
-        let [enter, exit] = ends(a.high, b, c, discriminant.sqrt());
-        Meeting::Points(enter, exit)
+        ends(a.high, b, squared_less_square(q, radius), discriminant.sqrt())
     }
 
-    /// Along any axis: where the line meets the wall, quickly where little cancels.
+    /// Where a line along the axis is inside the wall.
+    fn parallel(c: S) -> Inside<S> {
+        if c < S::ZERO { Self::EVERYWHERE } else { Self::NOWHERE }
+    }
+
+    /// Along any axis: where the line is inside the wall, quickly where little cancels.
     ///
     /// The error of D reaches s divided by 2√D, and is kept where that quotient is small. Plain
     /// sums are good enough for b if it isn't small beside |q||m| with s small as well, and for c
     /// from some way off the wall on.
     #[inline(never)]
-    fn meet_obliquely(&self, axis: &Direction<S>, line: &Line<S>) -> Meeting<S> {
+    fn meet_obliquely(&self, axis: &Direction<S>, line: &Line<S>) -> Inside<S> {
         let u = line.origin - self.base;
         let d = line.direction;
         let radius_squared = Double::product(self.radius, self.radius);
@@ -106,7 +141,7 @@ impl<S: Float> Tube<S> {
         let distance_squared = q.length_squared();
         let c = distance_squared - radius_squared.high;
         if is_precise && discriminant < S::ZERO {
-            return Meeting::Beside;
+            return Self::NOWHERE;
         }
         let s = discriminant.max(S::ZERO).sqrt() + b.abs();
         let is_clear = c.abs() + c.abs() >= distance_squared + radius_squared.high
@@ -118,26 +153,26 @@ impl<S: Float> Tube<S> {
         }
     }
 
-    /// Along any axis: where the line meets the wall, in twice the working precision throughout.
+    /// Along any axis: where the line is inside the wall, in twice the working precision throughout.
     #[cold]
     #[inline(never)]
-    fn meet_closely(&self, axis: &Direction<S>, line: &Line<S>) -> Meeting<S> {
+    fn meet_closely(&self, axis: &Direction<S>, line: &Line<S>) -> Inside<S> {
         let u = difference(line.origin, self.base);
         let (d, axis) = (widened(line.direction), widened(axis.vector()));
         let m = cross(d, axis);
         self.roots_closely(cross(u, axis), m, dot(u.to_array(), m))
     }
 
-    fn roots_closely(&self, q: [Double<S>; 3], m: [Double<S>; 3], k: Double<S>) -> Meeting<S> {
+    fn roots_closely(&self, q: [Double<S>; 3], m: [Double<S>; 3], k: Double<S>) -> Inside<S> {
         let radius_squared = Double::product(self.radius, self.radius);
         let a = dot(m, m);
         let c = dot(q, q).minus(radius_squared).round();
         if a.high <= S::ZERO {
-            return if c < S::ZERO { Meeting::Within } else { Meeting::Along };
+            return Self::parallel(c);
         }
         let discriminant = radius_squared.times(a).minus(k.times(k)).round();
         if discriminant < S::ZERO {
-            return Meeting::Beside;
+            return Self::NOWHERE;
         }
         let b = dot(q, m).round();
         let s = discriminant.sqrt() + b.abs();
@@ -148,12 +183,12 @@ impl<S: Float> Tube<S> {
 
 /// The roots s/a and c/s in ascending order, where `half` is √D and s has the sign of −b.
 #[inline]
-fn ends<S: Float>(a: S, b: S, c: S, half: S) -> [S; 2] {
+fn ends<S: Float>(a: S, b: S, c: S, half: S) -> Inside<S> {
     let s = if b > S::ZERO { -half - b } else { half - b };
     let far = s / a;
     // With b = 0 both are ±√D/a: from either end of the line the same.
     let near = if b == S::ZERO { -far } else { c / s };
-    [near.min(far), near.max(far)]
+    (near.min(far), near.max(far))
 }
 
 /// `|q|² − r²` with the errors of squares and sums added back.
@@ -170,7 +205,7 @@ fn squared_less_square<S: Float>(q: [Double<S>; 2], radius: S) -> S {
 }
 
 /// The points from the roots' sizes: `far` = (|b| + √D)/a, and `near` = c/(|b| + √D).
-fn points<S: Float>(far: S, near: S, b: S, discriminant: S) -> Meeting<S> {
+fn points<S: Float>(far: S, near: S, b: S, discriminant: S) -> Inside<S> {
     // A tangent has one root, but c/s would round to another number, or be 0/0.
     let near = if discriminant > S::ZERO { near } else { far };
     // With b = 0 both are ±√D/a: from either end of the line the same.
@@ -182,7 +217,7 @@ fn points<S: Float>(far: S, near: S, b: S, discriminant: S) -> Meeting<S> {
         (near, far)
     };
     // Almost tangent, they may come out in the wrong order by a rounding error.
-    if one < other { Meeting::Points(one, other) } else { Meeting::Points(other, one) }
+    if one < other { (one, other) } else { (other, one) }
 }
 
 fn dot<S: Float, const N: usize>(x: [Double<S>; N], y: [Double<S>; N]) -> Double<S> {
@@ -209,48 +244,45 @@ fn widened<S: Float>(v: Vec3<S>) -> Vec3<Double<S>> {
 }
 
 /// What the line has in the cylinder.
-// Always inline, as `Tube::meet_clearly`.
+// Always: the answer is handed on in registers. Written to memory in pieces and read as a whole,
+// it would wait for the writes.
 #[inline(always)]
-fn cut<S: Float + Intersect>(cylinder: &Cylinder<S>, line: &Line<S>) -> Option<Span<S>> {
+fn cut<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> Option<Span<S>> {
     let Cylinder { tube, caps } = cylinder;
-    let axis = &caps.normal;
-    let Some(along) = axis.along() else { return cut_closely(cylinder, *line) };
-    let [o, d, base, n] =
-        [line.origin, line.direction, tube.base, axis.vector()].map(|v| along.turned(v));
-    let [at_zero, speed] = [n[0] * o[0], n[0] * d[0]];
-    match tube.meet_clearly([o[1], o[2]], [base[1], base[2]], [d[1], d[2]]) {
-        Some(Meeting::Points(enter, exit)) => {
-            caps.passage(at_zero, speed).ends()?.overlap(wall(enter, exit))
-        }
-        Some(Meeting::Beside) => None,
-        _ => cut_closely(cylinder, *line),
-    }
+    let ((at_zero, speed), inside) = if let Some(along) = caps.normal.along() {
+        let [o, d, base, n] =
+            [line.origin, line.direction, tube.base, caps.normal.vector()].map(|v| along.turned(v));
+        let inside = tube.meet_clearly([o[1], o[2]], [base[1], base[2]], [d[1], d[2]]);
+        ((n[0] * o[0], n[0] * d[0]), inside)
+    } else {
+        (heights(cylinder, &{ *line }), None)
+    };
+    // Copies, so that the caller's line can stay in registers.
+    let inside = inside.unwrap_or_else(|| meet(cylinder, &{ *line }));
+    caps.passage(at_zero, speed).ends()?.overlap(wall(inside))
 }
 
-/// [`cut`] along any axis, and for lines that nearly touch the wall or run along it. Takes a copy of
-/// the line, so that the caller's can stay in registers.
+/// How high a line is above the plane through the scene's origin at t = 0, and how it rises.
 #[inline(never)]
-fn cut_closely<S: Float + Intersect>(cylinder: &Cylinder<S>, line: Line<S>) -> Option<Span<S>> {
+fn heights<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> (S, S) {
+    let normal = &cylinder.caps.normal;
+    (normal.dot(line.origin), normal.dot(line.direction))
+}
+
+/// Where a line is inside the wall, wherever it starts and however near to a tangent it is.
+#[inline(never)]
+fn meet<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> Inside<S> {
     let Cylinder { tube, caps } = cylinder;
-    let axis = &caps.normal;
-    let meeting = if let Some(along) = axis.along() {
-        let [o, base, m] = [line.origin, tube.base, line.direction].map(|v| along.across(v));
-        tube.meet_across(o, base, m)
-    } else {
-        tube.meet_obliquely(axis, &line)
-    };
-    let wall = match meeting {
-        Meeting::Points(enter, exit) => wall(enter, exit),
-        Meeting::Within => Span::whole_line(WALL),
-        Meeting::Beside | Meeting::Along => return None,
-    };
-    S::pass(caps, &line).ends()?.overlap(wall)
+    let Some(along) = caps.normal.along() else { return tube.meet_obliquely(&caps.normal, line) };
+    let [[_, o @ ..], [_, base @ ..], [_, m @ ..]] =
+        [line.origin, tube.base, line.direction].map(|v| along.turned(v));
+    tube.meet_carefully(o, base, m)
 }
 
 /// Where the wall is crossed; a tangent too, which has no span, and whose part between the caps has
 /// none either.
 #[inline]
-fn wall<S: Float>(enter: S, exit: S) -> Span<S> {
+fn wall<S: Float>((enter, exit): Inside<S>) -> Span<S> {
     let [enter, exit] = [enter, exit].map(|t| Crossing { t, face: WALL });
     Span { enter, exit }
 }
@@ -269,8 +301,8 @@ fn meet_ball<S: Float>(center: Vec3<S>, radius: S, line: &Line<S>) -> Option<[S;
 
 /// Where the line crosses the cylinder's wall between the caps.
 fn meet_wall<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> [Option<S>; 2] {
-    let Cylinder { tube, caps } = cylinder;
-    let Meeting::Points(enter, exit) = tube.meet(&caps.normal, line) else { return [None; 2] };
+    let caps = &cylinder.caps;
+    let (enter, exit) = meet(cylinder, line);
     let (at_zero, speed) = (caps.normal.dot(line.origin), caps.normal.dot(line.direction));
     [enter, exit].map(|t| {
         let height = S::add_product(at_zero, t, speed);
