@@ -4,6 +4,7 @@
 //! the board's clock, and RISC-V's `minstret` in nanoseconds. How many ticks an instruction is, is
 //! measured on a loop of known length, so no clock rate is needed.
 
+#[cfg(target_arch = "arm")]
 use core::ptr;
 
 /// Ticks of the counter, modulo 2^24 on Arm and 2^32 on RISC-V.

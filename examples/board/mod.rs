@@ -5,7 +5,8 @@
 //! of yours is `--cfg board="yours"`, which wins over that one: `yours.rs` is for its serial port, and
 //! the top-level `memory.x` for its memory.
 
-#![allow(dead_code, unsafe_code)] // every example takes what it needs; registers are addresses
+#![allow(dead_code, unused_imports, unused_macros)] // every example takes what it needs
+#![allow(unsafe_code)] // registers are addresses
 
 #[cfg_attr(board = "yours", path = "silent.rs")]
 mod console;
@@ -17,7 +18,6 @@ mod uart;
 
 pub use console::{finish, say, say_number};
 pub use counter::Counter;
-#[allow(unused_imports)] // not every example logs
 pub(crate) use log::log;
 pub use stack::{Usage, paint};
 pub use uart::uart;

@@ -28,6 +28,7 @@ pub enum Delivery {
 /// Why a frame could not be sent.
 #[derive(Debug, Clone, Copy)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(target_os = "none", allow(dead_code))] // only a log tells all of it
 pub enum DeviceError<E> {
     /// A row was asked for that does not fit the buffers.
     Row(RowError),

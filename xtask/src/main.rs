@@ -20,7 +20,7 @@ use std::process::ExitCode;
 
 /// Builds firmware, boots it on emulated boards, and measures it.
 #[derive(Debug, Parser)]
-#[command(name = "xtask", bin_name = "cargo xtask")]
+#[command(name = "xtask", bin_name = "cargo xtask", max_term_width = 80)]
 struct Args {
     #[command(subcommand)]
     chore: Chore,
