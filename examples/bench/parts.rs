@@ -2,16 +2,19 @@
 
 use crate::scene::{Scene, Tee};
 use core::hint::black_box;
-use scancsg::geom::{Ray, Vec3};
+use scancsg::constant;
+use scancsg::geom::{Ray, Vec3, vec3};
 use scancsg::render::{Gray8, Lambert, Picture, PixelFormat, Size};
+use scancsg::scalar::I16F16;
 use scancsg::solid::Solid;
 use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
+use scancsg::spline::{Baked, Curve, Knots, Outside, Sweep};
 use scancsg::stream::{Decoder, encode_row, packet_capacity};
 
 #[cfg(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16"))))]
 pub type Number = f32;
 #[cfg(not(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16")))))]
-pub type Number = scancsg::scalar::I16F16;
+pub type Number = I16F16;
 
 /// Something to be counted: `work` does it as often as its argument says.
 pub struct Part {
@@ -25,6 +28,10 @@ pub const PARTS: &[Part] = &[
     Part { name: "merge of 4 and 4 spans", work: merge_spans },
     Part { name: "encode a row", work: encode },
     Part { name: "decode a row", work: decode },
+    Part { name: "spline: editable point", work: editable_point },
+    Part { name: "spline: baked point", work: baked_point },
+    Part { name: "spline: basis functions", work: basis_functions },
+    Part { name: "spline: step of a sweep", work: sweep_step },
 ];
 
 /// A picture, row by row: the view alone, and the view and the row that the argument says.
@@ -161,5 +168,72 @@ extern "C" fn decode(times: u32) {
     for _ in 0..times {
         let mut bytes = packet.get(..length).unwrap_or_default();
         black_box(decoder.feed(black_box(&mut bytes)).is_some());
+    }
+}
+
+const KNOTS: Knots<Number, 4, 12> =
+    constant!(Knots::<Number, 4, 12>::clamped_uniform(8, quarters(0), quarters(20)));
+/// A cubic curve in space, with eight control points.
+static PATH: Curve<Vec3<Number>, 4, 8, 12> = constant!(Curve::<Vec3<Number>, 4, 8, 12>::new(
+    KNOTS,
+    [
+        point([0, 0, 0]),
+        point([4, 8, -4]),
+        point([12, 4, 2]),
+        point([16, -8, 4]),
+        point([8, -12, 8]),
+        point([0, -4, 12]),
+        point([-4, 4, 8]),
+        point([2, 8, 4]),
+    ]
+));
+static BAKED: Baked<Vec3<Number>, 4, { KNOTS.spans() }> = constant!(PATH.bake());
+
+const fn point([x, y, z]: [i32; 3]) -> Vec3<Number> {
+    vec3(quarters(x), quarters(y), quarters(z))
+}
+
+#[cfg(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16"))))]
+const fn quarters(count: i32) -> f32 {
+    count as f32 / 4.0
+}
+
+#[cfg(not(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16")))))]
+const fn quarters(count: i32) -> I16F16 {
+    I16F16::from_bits(count << 14)
+}
+
+/// Sixteen parameters in all spans, in no order.
+fn parameters() -> [Number; 16] {
+    core::array::from_fn(|i| Number::hundredths((i as i32 * 7 % 16) * 31 + 5))
+}
+
+macro_rules! splines {
+    ($($name:ident: $spline:expr, |$part:ident, $t:ident| $value:expr;)+) => {$(
+        #[inline(never)]
+        extern "C" fn $name(times: u32) {
+            let ($part, parameters) = (black_box($spline), black_box(parameters()));
+            for i in 0..times {
+                let $t = parameters[i as usize % 16];
+                black_box($value);
+            }
+        }
+    )+};
+}
+
+splines! {
+    editable_point: &PATH, |curve, t| curve.value(t, Outside::Clamp).unwrap_or(Vec3::ZERO);
+    baked_point: &BAKED, |curve, t| curve.value(t, Outside::Clamp).unwrap_or(Vec3::ZERO);
+    basis_functions: &KNOTS, |knots, t| knots.non_zero(t);
+}
+
+/// In fixed point on every board: sweeps know nothing else.
+#[inline(never)]
+extern "C" fn sweep_step(times: u32) {
+    let points = [[0, 0, 0], [4, 8, -4], [12, 4, 2], [16, -8, 4]];
+    let points = black_box(points.map(|point| Vec3::from(point.map(I16F16::from_num))));
+    let Ok(mut sweep) = Sweep::<_, 4>::new(&points, 64) else { return };
+    for _ in 0..times {
+        black_box(sweep.next());
     }
 }

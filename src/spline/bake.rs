@@ -3,42 +3,60 @@
 //! De Boor's algorithm with polynomials in place of numbers: in the blend
 //! `a + (b − a)·(t − low)/(high − low)` the fraction is linear in the span's local parameter. Inside
 //! of the span all of it is between 0 and 1, so coefficients are of the size of the control points,
-//! however close knots are. It is computed in `f64`, which is exact enough for 32-bit numbers of both
-//! kinds; in a constant that costs nothing.
+//! however close knots are. It is computed in double words of `f64`; in a constant that costs
+//! nothing.
+//!
+//! The local parameter y is a power of two times t, counted from the middle of the span, or in
+//! floating point of half a span: control points at full size that alternate then have coefficients
+//! below twice their size.
 
-/// The polynomial of a span as coefficients of 1, y, y² and so on, where t = `start` + `middle` +
-/// y·`unit`.
+use super::CurveError;
+use super::fixed::FixedFrame;
+use super::float::{FloatFrame, order_f32, order_f64};
+use super::long::{Long, power};
+use crate::scalar::whole::narrow;
+use crate::scalar::{FixedI32, Fraction};
+
+/// What baking a span needs to know of its number type.
+pub(super) struct Bake<S>(core::marker::PhantomData<S>);
+
+/// The polynomial of a span as coefficients of 1, y, y² and so on, where y·`unit` is the
+/// distance from the point that knots are measured from.
 ///
-/// `low` holds t_{j−k+1} … t_j and `high` t_{j+1} … t_{j+k}, all less `start`; `points` the span's
-/// control points.
+/// `low` holds t_{j−k+1} … t_j and `high` t_{j+1} … t_{j+k}; `points` the span's control points.
 pub(super) const fn polynomial<const K: usize>(
-    low: [f64; K],
-    high: [f64; K],
+    low: [Long; K],
+    high: [Long; K],
     points: [f64; K],
-    middle: f64,
     unit: f64,
-) -> [f64; K] {
+) -> [Long; K] {
     // blended[i] is a polynomial.
-    let mut blended = [[0.0; K]; K];
+    let mut blended = [[Long::ZERO; K]; K];
     let mut i = 0;
     while i < K {
-        blended[i][0] = points[i];
+        blended[i][0] = Long::from(points[i]);
         i += 1;
     }
     let mut level = 1;
     while level < K {
         let mut i = 0;
         while i + level < K {
-            let width = high[i] - low[i + level];
+            // Near 1, so that nothing overflows.
+            let width = high[i].minus(low[i + level]);
+            let scale = power(width.round());
+            let width = width.scaled(scale);
             // The fraction is constant + slope·y.
-            let (constant, slope) = ((middle - low[i + level]) / width, unit / width);
+            let constant = Long::ZERO.minus(low[i + level].scaled(scale)).over(width);
+            let slope = Long::from(unit * scale).over(width);
             let mut power = level + 1;
             while power > 0 {
                 power -= 1;
-                let difference = blended[i + 1][power] - blended[i][power];
-                let below =
-                    if power > 0 { blended[i + 1][power - 1] - blended[i][power - 1] } else { 0.0 };
-                blended[i][power] += difference * constant + below * slope;
+                let mut more = blended[i + 1][power].minus(blended[i][power]).times(constant);
+                if power > 0 {
+                    let below = blended[i + 1][power - 1].minus(blended[i][power - 1]);
+                    more = more.plus(below.times(slope));
+                }
+                blended[i][power] = blended[i][power].plus(more);
             }
             i += 1;
         }
@@ -47,31 +65,158 @@ pub(super) const fn polynomial<const K: usize>(
     blended[0]
 }
 
-/// A power of two that brings a positive number to [1/2, 1), or as near as the range allows.
-pub(super) const fn power_f64(x: f64) -> f64 {
-    let field = (x.to_bits() >> 52) & 0x7ff;
-    // 2^(1022 − field); of subnormal numbers the largest power, which is not enough.
-    let power = if field < 2045 { 2045 - field } else { 1 };
-    f64::from_bits(if power > 2046 { 2046 << 52 } else { power << 52 })
+/// The largest that a sum can be in Horner's rule, with `first` in place of the constant
+/// coefficient.
+const fn largest<const K: usize>(polynomial: &[Long; K], first: f64) -> f64 {
+    let (mut largest, mut sum) = (first, 0.0);
+    let mut i = K;
+    while i > 0 {
+        i -= 1;
+        sum = sum / 2.0 + if i > 0 { polynomial[i].round().abs() } else { first };
+        if sum > largest {
+            largest = sum;
+        }
+    }
+    largest
 }
 
-/// As [`power_f64`].
-pub(super) const fn power_f32(x: f32) -> f32 {
-    let field = (x.to_bits() >> 23) & 0xff;
-    let power = if field < 253 { 253 - field } else { 1 };
-    f32::from_bits(if power > 254 { 254 << 23 } else { power << 23 })
+/// Coefficient `i` as a whole number: half a unit makes up for the product that is cut off.
+const fn coefficient<const K: usize>(polynomial: &[Long; K], i: usize, scale: f64) -> i64 {
+    let cut_off = if i + 1 < K { 0.5 } else { 0.0 };
+    polynomial[i].scaled(scale).plus(Long::from(cut_off)).whole()
 }
 
-/// The nearest whole number, halves upwards; for numbers below 2⁶².
-pub(super) const fn rounded(x: f64) -> i64 {
-    let whole = x as i64;
-    let rest = x - whole as f64;
-    if rest >= 0.5 {
-        whole + 1
-    } else if rest < -0.5 {
-        whole - 1
-    } else {
-        whole
+macro_rules! floats {
+    ($($Float:ident $Whole:ident $order:ident),+) => {$(
+        impl Bake<$Float> {
+            pub(super) const EMPTY: FloatFrame<$Float> = FloatFrame { origin: 0.0, scale: 0.0 };
+
+            pub(super) const ZERO: $Float = 0.0;
+            pub(super) const NO_BASE: () = ();
+
+            pub(super) const fn f64(x: $Float) -> f64 {
+                x as f64
+            }
+
+            pub(super) const fn key(x: $Float) -> $Whole {
+                $order(x)
+            }
+
+            /// A span's frame.
+            pub(super) const fn frame(start: $Float, end: $Float) -> FloatFrame<$Float> {
+                let origin = start + (end - start) / 2.0;
+                let far = (origin - start).max(end - origin).max($Float::MIN_POSITIVE);
+                FloatFrame { origin, scale: power(far as f64) as $Float }
+            }
+
+            /// The distance of a knot from the origin of a frame.
+            pub(super) const fn distance(
+                knot: $Float,
+                frame: FloatFrame<$Float>,
+                _: $Float,
+            ) -> Long {
+                Long::sum(knot as f64, -(frame.origin as f64))
+            }
+
+            /// The distance that the local parameter 1 stands for.
+            pub(super) const fn unit(frame: FloatFrame<$Float>) -> f64 {
+                1.0 / frame.scale as f64
+            }
+
+            /// Coefficients of a span's polynomials, and what is added at the end.
+            #[allow(clippy::type_complexity)]
+            pub(super) const fn coefficients<const K: usize, const D: usize>(
+                polynomials: [[Long; K]; D],
+                frame: FloatFrame<$Float>,
+            ) -> Result<(FloatFrame<$Float>, [[$Float; D]; K], [(); D]), CurveError> {
+                let mut coefficients = [[0.0; D]; K];
+                let mut d = 0;
+                while d < D {
+                    let mut i = 0;
+                    while i < K {
+                        coefficients[K - 1 - i][d] = polynomials[d][i].round() as $Float;
+                        i += 1;
+                    }
+                    d += 1;
+                }
+                Ok((frame, coefficients, [(); D]))
+            }
+        }
+    )+};
+}
+
+floats!(f32 i32 order_f32, f64 i64 order_f64);
+
+impl<F: Fraction> Bake<FixedI32<F>> {
+    pub(super) const EMPTY: FixedFrame = FixedFrame { origin: 0, shift: 0, guard: 0 };
+
+    pub(super) const ZERO: i32 = 0;
+    pub(super) const NO_BASE: i32 = 0;
+
+    pub(super) const fn f64(x: FixedI32<F>) -> f64 {
+        x.to_bits() as f64
+    }
+
+    pub(super) const fn key(x: FixedI32<F>) -> i32 {
+        x.to_bits()
+    }
+
+    pub(super) const fn frame(start: FixedI32<F>, end: FixedI32<F>) -> FixedFrame {
+        let width = end.to_bits().wrapping_sub(start.to_bits()).cast_unsigned();
+        let shift = width.leading_zeros();
+        // Rounded up, so that the end's local parameter fits 32 bits.
+        let half = width.wrapping_shl(shift).div_ceil(2);
+        let origin = start.to_bits().cast_unsigned().wrapping_shl(shift).wrapping_add(half);
+        FixedFrame { origin, shift: shift as u8, guard: 0 }
+    }
+
+    /// In units of 2^−shift, of which the local parameter 1 has 2³².
+    pub(super) const fn distance(knot: FixedI32<F>, frame: FixedFrame, start: FixedI32<F>) -> Long {
+        let steps = knot.to_bits() as f64 - start.to_bits() as f64;
+        let half = frame.half(start.to_bits());
+        Long::sum(steps * (1u64 << frame.shift) as f64, -(half as f64))
+    }
+
+    pub(super) const fn unit(_: FixedFrame) -> f64 {
+        (1u64 << 32) as f64
+    }
+
+    /// As many guard bits as the span's coefficients leave room for. Half a unit is added for the
+    /// result, whose whole units at the origin are added at the end.
+    #[allow(clippy::type_complexity)]
+    pub(super) const fn coefficients<const K: usize, const D: usize>(
+        polynomials: [[Long; K]; D],
+        frame: FixedFrame,
+    ) -> Result<(FixedFrame, [[i32; D]; K], [i32; D]), CurveError> {
+        let mut most = 1.0f64;
+        let mut d = 0;
+        while d < D {
+            most = most.max(largest(&polynomials[d], 1.0));
+            d += 1;
+        }
+        let mut guard = 20;
+        while guard > 0 && most * (1u32 << guard) as f64 > (i32::MAX - 64) as f64 {
+            guard -= 1;
+        }
+        if guard < 4 && K > 1 {
+            return Err(CurveError::TooFar);
+        }
+        let one = (1u32 << guard) as f64;
+        let (mut coefficients, mut base) = ([[0; D]; K], [0; D]);
+        let mut d = 0;
+        while d < D {
+            let mut rest = polynomials[d];
+            let whole = rest[0].whole();
+            base[d] = narrow(whole);
+            rest[0] = rest[0].minus(Long::from(whole as f64)).plus(Long::from(0.5));
+            let mut i = 0;
+            while i < K {
+                coefficients[K - 1 - i][d] = coefficient(&rest, i, one) as i32;
+                i += 1;
+            }
+            d += 1;
+        }
+        Ok((FixedFrame { guard, ..frame }, coefficients, base))
     }
 }
 
@@ -80,30 +225,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn powers_normalize() {
-        for x in [1.0, 1.5, 0.75, 3e37, 1.2e-38, 1e-20] {
-            let scaled = x * power_f32(x);
-            assert!((0.5..1.0).contains(&scaled), "{x}: {scaled}");
-            let (x, scaled) = (f64::from(x), f64::from(x) * power_f64(f64::from(x)));
-            assert!((0.5..1.0).contains(&scaled), "{x}: {scaled}");
-        }
-        assert!((1e-44 * power_f32(1e-44)).is_finite());
-        assert!((f64::MAX * power_f64(f64::MAX)) < 4.0);
-    }
-
-    #[test]
-    fn whole_numbers_are_nearest() {
-        let cases =
-            [(0.5, 1), (-0.5, 0), (-0.6, -1), (2.4, 2), (-2.4, -2), (1e15, 1_000_000_000_000_000)];
-        for (x, whole) in cases {
-            assert_eq!(rounded(x), whole, "{x}");
-        }
-    }
-
-    #[test]
     fn a_cubic_in_bernsteins_form() {
-        // x³ on [0, 2], about its middle, in halves: (1 + y)³.
-        let cubic = polynomial([0.0; 4], [2.0; 4], [0.0, 0.0, 0.0, 8.0], 1.0, 1.0);
-        assert_eq!(cubic, [1.0, 3.0, 3.0, 1.0]);
+        // x³ on [0, 2], about its middle: (1 + y)³.
+        let (low, high) = ([Long::from(-1.0); 4], [Long::from(1.0); 4]);
+        let cubic = polynomial(low, high, [0.0, 0.0, 0.0, 8.0], 1.0);
+        assert_eq!(cubic.map(Long::round), [1.0, 3.0, 3.0, 1.0]);
     }
 }

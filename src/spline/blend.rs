@@ -21,13 +21,16 @@ pub trait Blend: Scalar {
     /// Where a span of a baked curve is, and how its polynomials are scaled.
     #[doc(hidden)]
     type Frame: Copy + Debug + PartialEq;
-    /// A parameter as the polynomials of a baked curve take it.
+    /// The polynomials of a span: in floating point one for each half.
     #[doc(hidden)]
-    type Local: Copy;
-    /// A coefficient of a baked curve.
+    type Parts<T: Copy + Debug + PartialEq>: Copy + Debug + PartialEq + AsRef<[T]>;
+    /// A coefficient of a baked curve, and the local parameter of a span.
     #[doc(hidden)]
     type Coefficient: Copy + Debug + PartialEq;
-    /// What is added to a baked polynomial at the end.
+    /// A whole number, in the order of the type's.
+    #[doc(hidden)]
+    type Key: Copy + Debug + Ord;
+    /// What is done to the value of a baked polynomial at the end.
     #[doc(hidden)]
     type Base: Copy + Debug + PartialEq;
 
@@ -43,9 +46,6 @@ pub trait Blend: Scalar {
     /// The weight 0.
     #[doc(hidden)]
     const NONE: Self::Weight;
-    /// A baked polynomial of this span may be evaluated outside of it.
-    #[doc(hidden)]
-    const EXTENDS: bool;
 
     #[doc(hidden)]
     fn inner(self) -> Self::Inner;
@@ -53,6 +53,14 @@ pub trait Blend: Scalar {
     /// The nearest number, held inside of the type's range.
     #[doc(hidden)]
     fn outer(inner: Self::Inner) -> Self;
+
+    /// Whether this and all like it can be blended without being held inside of a range.
+    #[doc(hidden)]
+    fn is_within(inner: Self::Inner) -> bool;
+
+    /// As [`outer`](Self::outer), or `None` out of the type's range.
+    #[doc(hidden)]
+    fn checked(inner: Self::Inner) -> Option<Self>;
 
     #[doc(hidden)]
     fn add(a: Self::Inner, b: Self::Inner) -> Self::Inner;
@@ -90,9 +98,9 @@ pub trait Blend: Scalar {
     #[doc(hidden)]
     fn from_weight(weight: Self::Weight) -> Self;
 
-    /// `x·degree/(high − low)`; 0 for knots that coincide.
+    /// `(b − a)·degree/(high − low)`; 0 for knots that coincide.
     #[doc(hidden)]
-    fn slope(x: Self::Inner, degree: u16, low: Self, high: Self) -> Self::Inner;
+    fn slope(a: Self::Inner, b: Self::Inner, degree: u16, low: Self, high: Self) -> Self::Inner;
 
     /// `x·(high − low)/(outer_high − outer_low)`: an interval inside of another one.
     #[doc(hidden)]
@@ -115,17 +123,46 @@ pub trait Blend: Scalar {
     fn segments(norm: Self::Inner, factor: u16, tolerance: Self) -> u32;
 
     #[doc(hidden)]
-    fn local(t: Self, start: Self, frame: &Self::Frame) -> Self::Local;
+    fn key(self) -> Self::Key;
+
+    #[doc(hidden)]
+    fn from_key(key: Self::Key) -> Self;
+
+    /// The smaller one of t and the last number before `end`.
+    #[doc(hidden)]
+    fn before(t: Self, end: Self) -> Self;
+
+    /// Where a parameter is in a baked span: from −1 to 1, in fixed point from −1/2 to 1/2 of 2³².
+    #[doc(hidden)]
+    fn local(t: Self, frame: &Self::Frame) -> Self::Coefficient;
 
     /// `sum·local + coefficient`.
     #[doc(hidden)]
     fn horner(
         sum: Self::Coefficient,
-        local: Self::Local,
+        local: Self::Coefficient,
         c: Self::Coefficient,
     ) -> Self::Coefficient;
 
     /// The value of a baked polynomial.
     #[doc(hidden)]
     fn baked(sum: Self::Coefficient, base: Self::Base, frame: &Self::Frame) -> Self;
+
+    /// A derivative of a baked polynomial at any parameter, from its coefficients and their
+    /// powers, the highest first. `None` out of the type's range.
+    #[doc(hidden)]
+    fn extended(
+        terms: impl Iterator<Item = (usize, Self::Coefficient)>,
+        base: Self::Base,
+        order: usize,
+        t: Self,
+        start: Self,
+        frame: &Self::Frame,
+    ) -> Option<Self>;
+}
+
+/// i(i−1)…(i−order+1): the factor of a power's derivative.
+#[inline]
+pub(super) fn falling(i: usize, order: usize) -> i64 {
+    (0..order).fold(1, |product, j| product * (i as i64 - j as i64))
 }

@@ -215,8 +215,8 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
     #[inline]
     pub fn domain(&self) -> Domain<P::Scalar> {
         // Constructors take only knots that have one.
-        let zero = P::Scalar::ZERO;
-        self.knots.domain().unwrap_or(Domain { from: zero, to: zero })
+        let at = |i: usize| self.knots.knots.get(i).copied().unwrap_or(P::Scalar::ZERO);
+        Domain { from: at(K - 1), to: at(self.knots.points()) }
     }
 
     /// The curve's point at a parameter.
@@ -226,46 +226,71 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
     /// the policy says so; [`EvaluateError::Overflow`] only outside of the domain.
     #[inline]
     pub fn value(&self, t: P::Scalar, outside: Outside) -> Result<P, EvaluateError> {
-        let point = self.inner_derivative(0, t, outside)?;
-        Ok(outer(point))
+        let t = self.domain().place(t, outside)?;
+        if matches!(outside, Outside::Extrapolate) {
+            return self.checked_derivative(0, t);
+        }
+        let span = self.knots.span_of_domain(t);
+        let point = on_span::<P, K>(&self.knots.knots, &self.points, span, t);
+        // A constructed curve has a span for every parameter.
+        Ok(point.map_or(P::ORIGIN, outer))
     }
 
     /// A derivative of the curve by its parameter; of order 0 it is the value, of order `K` or more
     /// zero. At a knot where it jumps it is that of the span behind, at the end of the domain that of
     /// the span in front.
     ///
-    /// In fixed point a derivative beyond the range of the number type is the end of the range; it
-    /// is accurate where the derivative's control points, that is differences of control points
-    /// times the degree over differences of knots, are within 16 times the range.
+    /// In floating point it is within 3 units in the last place of the sum of its terms' sizes. In
+    /// fixed point orders 1 and 2 are within 0.51 units, and a third one with 2⁻²⁶/w² more, for knots
+    /// that are w apart.
     ///
     /// # Errors
-    /// As [`value`](Self::value), and [`EvaluateError::Overflow`] for a derivative too large for a
-    /// floating-point type.
+    /// As [`value`](Self::value), and [`EvaluateError::Overflow`] for a derivative too large for its
+    /// type; in fixed point also where a control point of it or of a derivative before it is four
+    /// times too large.
     pub fn derivative(
         &self,
         order: usize,
         t: P::Scalar,
         outside: Outside,
     ) -> Result<P, EvaluateError> {
-        Ok(outer(self.inner_derivative(order, t, outside)?))
+        self.checked_derivative(order, self.domain().place(t, outside)?)
     }
 
-    #[inline]
-    fn inner_derivative(
-        &self,
-        order: usize,
-        t: P::Scalar,
-        outside: Outside,
-    ) -> Result<Inner<P>, EvaluateError> {
-        let t = self.domain().place(t, outside)?;
-        let point = de_boor(self, order, t);
-        let is_finite = |x: &_| P::Scalar::outer(*x).is_finite();
-        if (order > 0 || matches!(outside, Outside::Extrapolate))
-            && !point.as_ref().iter().all(is_finite)
-        {
-            return Err(EvaluateError::Overflow);
+    /// De Boor's triangle: `order` levels of differences, then blends.
+    #[inline(never)]
+    fn checked_derivative(&self, order: usize, t: P::Scalar) -> Result<P, EvaluateError> {
+        let span = self.knots.span_of_domain(t);
+        let segment = segment::<P, K>(&self.knots.knots, &self.points, span);
+        let Some((points, low, high)) = segment.filter(|_| order < K) else {
+            return Ok(P::ORIGIN);
+        };
+        let mut blended = points.map(inner);
+        for level in 1..K {
+            let degree = (K - level) as u16;
+            let intervals = low.iter().skip(level).zip(high);
+            let mut rest = blended.as_mut_slice();
+            for (&low, &high) in intervals {
+                let [a, others @ ..] = rest else { break };
+                let Some(&b) = others.first() else { break };
+                if level <= order {
+                    combine::<P>(a, b, |a, b| P::Scalar::slope(a, b, degree, low, high));
+                } else {
+                    let ratio = P::Scalar::ratio(t, low, high);
+                    combine::<P>(a, b, |a, b| P::Scalar::blend(a, b, ratio));
+                }
+                if !a.as_ref().iter().all(|x| P::Scalar::is_within(*x)) {
+                    return Err(EvaluateError::Overflow);
+                }
+                rest = others;
+            }
         }
-        Ok(point)
+        let Some(&point) = blended.first() else { return Ok(P::ORIGIN) };
+        let mut coordinates = P::ORIGIN.coordinates();
+        for (x, inner) in coordinates.as_mut().iter_mut().zip(point.as_ref()) {
+            *x = P::Scalar::checked(*inner).ok_or(EvaluateError::Overflow)?;
+        }
+        Ok(P::from_coordinates(coordinates))
     }
 }
 
@@ -276,45 +301,41 @@ impl<S: Blend, const K: usize, const C: usize, const N: usize> Curve<Vec3<S>, K,
     /// As [`derivative`](Self::derivative); [`EvaluateError::Stationary`] where the first derivative
     /// is zero.
     pub fn tangent(&self, t: S, outside: Outside) -> Result<Vec3<S::Unit>, EvaluateError> {
-        let velocity = self.derivative(1, t, outside)?;
-        let Some(direction) = velocity.map(S::fine).normalized() else {
-            return Err(EvaluateError::Stationary);
-        };
-        Ok(direction.map(S::unit))
+        direction(self.derivative(1, t, outside)?)
     }
 }
 
-/// De Boor's triangle: `order` levels of differences, then blends.
-#[inline]
-fn de_boor<P: Point, const K: usize, const C: usize, const N: usize>(
-    curve: &Curve<P, K, C, N>,
-    order: usize,
-    t: P::Scalar,
-) -> Inner<P> {
-    // A constructed curve has a span for every parameter.
-    let span = curve.knots.span_of_domain(t);
-    on_span::<P, K>(&curve.knots.knots, &curve.points, span, order, t)
-        .unwrap_or_else(|| inner(P::ORIGIN))
+/// A velocity as a vector of length 1.
+pub(super) fn direction<S: Blend>(velocity: Vec3<S>) -> Result<Vec3<S::Unit>, EvaluateError> {
+    let direction = velocity.map(S::fine).normalized().ok_or(EvaluateError::Stationary)?;
+    Ok(direction.map(S::unit))
 }
 
-/// As `de_boor`, with the polynomial of a given span.
+/// The control points of a span, and the knots t_{j−k+1} … t_j and t_{j+1} … t_{j+k}.
+#[inline]
+#[allow(clippy::type_complexity)]
+fn segment<'a, P: Point, const K: usize>(
+    knots: &'a [P::Scalar],
+    points: &'a [P],
+    span: usize,
+) -> Option<(&'a [P; K], &'a [P::Scalar; K], &'a [P::Scalar; K])> {
+    let first = (span + 1).checked_sub(K)?;
+    Some((
+        points.get(first..)?.first_chunk()?,
+        knots.get(first..)?.first_chunk()?,
+        knots.get(span + 1..)?.first_chunk()?,
+    ))
+}
+
+/// De Boor's triangle on a span, for parameters on it.
 #[inline]
 pub(super) fn on_span<P: Point, const K: usize>(
     knots: &[P::Scalar],
     points: &[P],
     span: usize,
-    order: usize,
     t: P::Scalar,
 ) -> Option<Inner<P>> {
-    if order >= K {
-        return Some(inner(P::ORIGIN));
-    }
-    let first = (span + 1).checked_sub(K)?;
-    let points: &[P; K] = points.get(first..)?.first_chunk()?;
-    // t_{j−k+1} … t_j and t_{j+1} … t_{j+k}.
-    let low: &[P::Scalar; K] = knots.get(first..)?.first_chunk()?;
-    let high: &[P::Scalar; K] = knots.get(span + 1..)?.first_chunk()?;
-
+    let (points, low, high) = segment::<P, K>(knots, points, span)?;
     let mut blended = points.map(inner);
     for level in 1..K {
         // Loops over an index get unrolled, which chains of iterators don't.
@@ -322,15 +343,8 @@ pub(super) fn on_span<P: Point, const K: usize>(
             let (Some(&low), Some(&high)) = (low.get(i + level), high.get(i)) else { break };
             let Some(&b) = blended.get(i + 1) else { break };
             let Some(a) = blended.get_mut(i) else { break };
-            if level <= order {
-                let degree = (K - level) as u16;
-                combine::<P>(a, b, |a, b| {
-                    P::Scalar::slope(P::Scalar::subtract(b, a), degree, low, high)
-                });
-            } else {
-                let ratio = P::Scalar::ratio(t, low, high);
-                combine::<P>(a, b, |a, b| P::Scalar::blend(a, b, ratio));
-            }
+            let ratio = P::Scalar::ratio(t, low, high);
+            combine::<P>(a, b, |a, b| P::Scalar::blend(a, b, ratio));
         }
     }
     blended.first().copied()

@@ -1,8 +1,9 @@
 //! Splines in fixed point: whole numbers with guard bits, rounded once.
 
-use super::blend::Blend;
+use super::blend::{Blend, falling};
 use crate::scalar::whole::{divide, narrow, shift_right};
 use crate::scalar::{FixedI32, Fraction};
+use core::fmt::Debug;
 
 /// Digits of an inner number beyond those of its type. With 32 of the type's own, four bits are
 /// left for extrapolation and derivatives.
@@ -49,19 +50,33 @@ impl Mixed {
     }
 }
 
-/// The local parameter of a baked span is `((t − start)·2^shift − half)/2³²`.
+/// The local parameter of a baked span is `(t·2^shift − origin)/2³²`.
 #[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FixedFrame {
-    pub(super) half: u32,
+    /// The middle of the span, modulo 2³².
+    pub(super) origin: u32,
     pub(super) shift: u8,
     /// Digits of the coefficients beyond those of the type.
     pub(super) guard: u8,
 }
 
+impl FixedFrame {
+    /// Half of the span that starts there, times 2^shift.
+    pub(super) const fn half(self, start: i32) -> u32 {
+        self.origin.wrapping_sub(start.cast_unsigned().wrapping_shl(self.shift as u32))
+    }
+}
+
 #[inline]
 fn width<F: Fraction>(low: FixedI32<F>, high: FixedI32<F>) -> i64 {
     i64::from(high.to_bits()) - i64::from(low.to_bits())
+}
+
+/// A number of so many units, if there is one.
+#[inline]
+fn exactly<F: Fraction>(bits: i64) -> Option<FixedI32<F>> {
+    i32::try_from(bits).ok().map(FixedI32::from_bits)
 }
 
 #[inline]
@@ -74,8 +89,9 @@ impl<F: Fraction> Blend for FixedI32<F> {
     type Weight = i64;
     type Ratio = Mixed;
     type Frame = FixedFrame;
-    type Local = i32;
+    type Parts<T: Copy + Debug + PartialEq> = [T; 1];
     type Coefficient = i32;
+    type Key = i32;
     /// The whole units of the value in the middle of the span.
     type Base = i32;
 
@@ -83,7 +99,6 @@ impl<F: Fraction> Blend for FixedI32<F> {
     const NOTHING: i64 = 0;
     const FULL: i64 = 1 << (GUARD + F::BITS);
     const NONE: i64 = 0;
-    const EXTENDS: bool = false;
 
     #[inline]
     fn inner(self) -> i64 {
@@ -93,6 +108,16 @@ impl<F: Fraction> Blend for FixedI32<F> {
     #[inline]
     fn outer(inner: i64) -> Self {
         Self::from_bits(narrow(shift_right(inner, GUARD as i32)))
+    }
+
+    #[inline]
+    fn is_within(inner: i64) -> bool {
+        inner.unsigned_abs() < 1 << 61
+    }
+
+    #[inline]
+    fn checked(inner: i64) -> Option<Self> {
+        exactly(shift_right(inner, GUARD as i32))
     }
 
     #[inline]
@@ -123,7 +148,7 @@ impl<F: Fraction> Blend for FixedI32<F> {
     }
 
     fn climb(x: i64, degree: u16, low: Self, high: Self) -> i64 {
-        Self::slope(x, degree, low, high)
+        Self::slope(0, x, degree, low, high)
     }
 
     #[inline]
@@ -142,12 +167,13 @@ impl<F: Fraction> Blend for FixedI32<F> {
     }
 
     #[inline(never)]
-    fn slope(x: i64, degree: u16, low: Self, high: Self) -> i64 {
+    fn slope(a: i64, b: i64, degree: u16, low: Self, high: Self) -> i64 {
         let width = width(low, high);
         if width == 0 {
             return 0;
         }
-        held(divide((i128::from(x) * i128::from(degree)) << F::BITS, i128::from(width)))
+        let rise = (i128::from(b) - i128::from(a)) * i128::from(degree);
+        held(divide(rise << F::BITS, i128::from(width)))
     }
 
     fn share(x: i64, [low, high]: [Self; 2], [outer_low, outer_high]: [Self; 2]) -> i64 {
@@ -182,9 +208,24 @@ impl<F: Fraction> Blend for FixedI32<F> {
     }
 
     #[inline]
-    fn local(t: Self, start: Self, frame: &FixedFrame) -> i32 {
-        let offset = t.to_bits().wrapping_sub(start.to_bits()).cast_unsigned();
-        offset.wrapping_shl(frame.shift.into()).wrapping_sub(frame.half).cast_signed()
+    fn key(self) -> i32 {
+        self.to_bits()
+    }
+
+    #[inline]
+    fn from_key(key: i32) -> Self {
+        Self::from_bits(key)
+    }
+
+    #[inline]
+    fn before(t: Self, end: Self) -> Self {
+        Self::from_bits(t.to_bits().min(end.to_bits().saturating_sub(1)))
+    }
+
+    #[inline]
+    fn local(t: Self, frame: &FixedFrame) -> i32 {
+        let scaled = t.to_bits().cast_unsigned().wrapping_shl(frame.shift.into());
+        scaled.wrapping_sub(frame.origin).cast_signed()
     }
 
     #[inline]
@@ -197,5 +238,32 @@ impl<F: Fraction> Blend for FixedI32<F> {
     fn baked(sum: i32, base: i32, frame: &FixedFrame) -> Self {
         // Half a unit is in the sum.
         Self::from_bits(base.saturating_add(sum >> (frame.guard & 31)))
+    }
+
+    fn extended(
+        terms: impl Iterator<Item = (usize, i32)>,
+        base: i32,
+        order: usize,
+        t: Self,
+        start: Self,
+        frame: &FixedFrame,
+    ) -> Option<Self> {
+        let shift = u32::from(frame.shift);
+        let offset = i128::from(width(start, t)) << shift;
+        let local = offset - i128::from(frame.half(start.to_bits()));
+        let sum = terms.fold(0, |sum: i128, (power, c)| {
+            // What is held in here is far beyond the range at the end.
+            let product = sum.saturating_mul(local) >> 32;
+            let sum = product + i128::from(c) * i128::from(falling(power, order));
+            sum.clamp(-1 << 61, 1 << 61)
+        });
+        // 2^(shift − 32) is the scale of t, in units of the type.
+        let digits = order as i32 * (32 - F::BITS as i32 - shift as i32) + i32::from(frame.guard);
+        let sum = sum as i64;
+        if order > 0 {
+            return exactly(shift_right(sum, digits));
+        }
+        // Half a unit is in the sum.
+        exactly(i64::from(base) + (sum >> (frame.guard & 31)))
     }
 }

@@ -117,7 +117,7 @@ impl<P: Point, const K: usize> Walk<'_, P, K> {
                     } else {
                         P::Scalar::between(low, high, index, self.segments)
                     };
-                    return Some((t, on_span::<P, K>(self.knots, self.points, self.span, 0, t)?));
+                    return Some((t, on_span::<P, K>(self.knots, self.points, self.span, t)?));
                 }
             }
             self.span += 1;

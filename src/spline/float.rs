@@ -1,7 +1,8 @@
 //! Splines in floating point.
 
-use super::blend::Blend;
+use super::blend::{Blend, falling};
 use crate::scalar::{Double, Float, Number, Real, Scalar};
+use core::fmt::Debug;
 use core::hint::select_unpredictable;
 
 /// Where a parameter is between two knots: measured from the nearer one.
@@ -55,31 +56,45 @@ fn quotient<S: Float>(a: Double<S>, b: Double<S>) -> Double<S> {
     Double::sum(high, rest / b.high)
 }
 
-/// The local parameter of a baked span is `((t − start) − half)·scale`.
+/// The local parameter of a baked span is `(t − origin)·scale`.
 #[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FloatFrame<S> {
-    pub(super) half: S,
+    /// Near the middle of the span.
+    pub(super) origin: S,
     /// A power of two, so that the product is exact.
     pub(super) scale: S,
 }
 
+macro_rules! orders {
+    ($($order:ident $Float:ident $Whole:ident),+) => {$(
+        /// A whole number in the order of the floats, −0 below 0. It is its own inverse.
+        #[inline]
+        pub(super) const fn $order(x: $Float) -> $Whole {
+            let bits = x.to_bits().cast_signed();
+            bits ^ ((bits >> ($Whole::BITS - 1)).cast_unsigned() >> 1).cast_signed()
+        }
+    )+};
+}
+
+orders!(order_f32 f32 i32, order_f64 f64 i64);
+
 macro_rules! floats {
-    ($($Float:ident $fmod:path),+) => {$(
+    ($($Float:ident $fmod:path, $Whole:ident $order:ident),+) => {$(
         impl Blend for $Float {
             type Inner = Self;
             type Weight = Weight<Self>;
             type Ratio = Nearer<Self>;
             type Frame = FloatFrame<Self>;
-            type Local = Self;
+            type Parts<T: Copy + Debug + PartialEq> = [T; 2];
             type Coefficient = Self;
+            type Key = $Whole;
             type Base = ();
 
             const LARGEST: Self = Self::REACH;
             const NOTHING: Self = 0.0;
             const FULL: Weight<Self> = Weight(Double { high: 1.0, low: 0.0 });
             const NONE: Weight<Self> = Weight(Double { high: 0.0, low: 0.0 });
-            const EXTENDS: bool = true;
 
             #[inline]
             fn inner(self) -> Self {
@@ -89,6 +104,16 @@ macro_rules! floats {
             #[inline]
             fn outer(inner: Self) -> Self {
                 inner
+            }
+
+            #[inline]
+            fn is_within(inner: Self) -> bool {
+                inner.is_finite()
+            }
+
+            #[inline]
+            fn checked(inner: Self) -> Option<Self> {
+                inner.is_finite().then_some(inner)
             }
 
             #[inline]
@@ -142,9 +167,9 @@ macro_rules! floats {
             }
 
             #[inline]
-            fn slope(x: Self, degree: u16, low: Self, high: Self) -> Self {
+            fn slope(a: Self, b: Self, degree: u16, low: Self, high: Self) -> Self {
                 // The product first: it is exact for the small whole numbers that most terms are.
-                if low < high { x * Self::from(degree) / (high - low) } else { 0.0 }
+                if low < high { (b - a) * Self::from(degree) / (high - low) } else { 0.0 }
             }
 
             #[inline]
@@ -186,8 +211,23 @@ macro_rules! floats {
             }
 
             #[inline]
-            fn local(t: Self, start: Self, frame: &Self::Frame) -> Self {
-                ((t - start) - frame.half) * frame.scale
+            fn key(self) -> $Whole {
+                $order(self)
+            }
+
+            #[inline]
+            fn from_key(key: $Whole) -> Self {
+                Self::from_bits($order(Self::from_bits(key.cast_unsigned())).cast_unsigned())
+            }
+
+            #[inline]
+            fn before(t: Self, end: Self) -> Self {
+                Number::min(t, end.next_down())
+            }
+
+            #[inline]
+            fn local(t: Self, frame: &Self::Frame) -> Self {
+                (t - frame.origin) * frame.scale
             }
 
             #[inline]
@@ -199,10 +239,25 @@ macro_rules! floats {
             fn baked(sum: Self, (): (), _: &Self::Frame) -> Self {
                 sum
             }
+
+            fn extended(
+                terms: impl Iterator<Item = (usize, Self)>,
+                (): (),
+                order: usize,
+                t: Self,
+                _: Self,
+                frame: &Self::Frame,
+            ) -> Option<Self> {
+                let local = Self::local(t, frame);
+                let sum = terms.fold(0.0, |sum, (power, c)| {
+                    sum * local + c * falling(power, order) as Self
+                });
+                Self::checked((0..order).fold(sum, |sum, _| sum * frame.scale))
+            }
         }
     )+};
 }
 
-floats!(f32 libm::fmodf, f64 libm::fmod);
+floats!(f32 libm::fmodf, i32 order_f32, f64 libm::fmod, i64 order_f64);
 
 const _: () = assert!(<f32 as Scalar>::REACH < 1e18);

@@ -373,14 +373,16 @@ impl<S: Blend, const K: usize, const N: usize> Knots<S, K, N> {
     #[inline]
     pub(super) fn span_of_domain(&self, t: S) -> usize {
         let Some(&end) = self.knots.get(self.points()) else { return K - 1 };
+        // No later than the last number before the end: spans that begin there are empty, or
+        // behind it.
+        let t = S::before(t, end);
         // Between the domain's ends t_{k−1} and t_n, and what is not used.
         let inside = self.knots.get(K..N.saturating_sub(K)).unwrap_or_default();
-        let is_before = |knot: &S| (*knot <= t) & (*knot < end);
         // A few comparisons without a jump are faster than a search.
         let before = if N - K <= K + 16 {
-            inside.iter().map(|knot| usize::from(is_before(knot))).sum()
+            inside.iter().map(|knot| usize::from(*knot <= t)).sum()
         } else {
-            inside.partition_point(is_before)
+            inside.partition_point(|knot| *knot <= t)
         };
         K - 1 + before
     }

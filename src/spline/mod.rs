@@ -43,6 +43,7 @@ mod flatten;
 mod float;
 mod insert;
 mod knots;
+mod long;
 mod point;
 mod sweep;
 

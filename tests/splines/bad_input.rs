@@ -129,7 +129,9 @@ fn extrapolation_continues_the_polynomial() {
     assert_eq!(parabola.value(fixed(3), Outside::Extrapolate), Ok(fixed(9)));
     assert_eq!(parabola.value(fixed(-20), Outside::Extrapolate), Ok(fixed(400)));
     let baked = parabola.bake::<1>().unwrap();
-    assert_eq!(baked.value(fixed(3), Outside::Extrapolate), Err(EvaluateError::Outside));
+    assert_eq!(baked.value(fixed(3), Outside::Extrapolate), Ok(fixed(9)));
+    assert_eq!(baked.value(fixed(-20), Outside::Extrapolate), Ok(fixed(400)));
+    assert_eq!(baked.derivative(1, fixed(3), Outside::Extrapolate), Ok(fixed(6)));
 }
 
 const KNOTS: Knots<I16F16, 4, 9> =

@@ -18,19 +18,26 @@ pub trait Numeric: Blend {
         knots: Knots<Self, K, N>,
         points: &[[Self; 2]],
     ) -> Result<Curve<[Self; 2], K, C, N>, CurveError>;
-    /// With so many polynomials to a span: 1 or 2.
-    fn value_baked<const K: usize, const C: usize, const N: usize>(
+    /// A derivative of the baked curve, or its value, with so many polynomials to a span: 1 or 2.
+    fn at_baked<const K: usize, const C: usize, const N: usize>(
         curve: &Curve<[Self; 2], K, C, N>,
         parts: usize,
+        order: usize,
         t: Self,
         outside: Outside,
     ) -> Result<Result<[Self; 2], EvaluateError>, CurveError>;
 }
 
 macro_rules! of_spans {
-    ($curve:expr, $parts:expr, $t:expr, $outside:expr, $($SPANS:literal),+) => {
+    ($curve:expr, $parts:expr, $order:expr, $t:expr, $outside:expr, $($SPANS:literal),+) => {
         match $curve.knots().spans() * $parts {
-            $($SPANS => Ok($curve.bake::<$SPANS>()?.value($t, $outside)),)+
+            $($SPANS => {
+                let baked = $curve.bake::<$SPANS>()?;
+                Ok(match $order {
+                    0 => baked.value($t, $outside),
+                    order => baked.derivative(order, $t, $outside),
+                })
+            })+
             spans => panic!("{spans} spans"),
         }
     };
@@ -51,13 +58,16 @@ macro_rules! constructors {
             Curve::<[Self; 2], K, C, N>::from_slice(knots, points)
         }
 
-        fn value_baked<const K: usize, const C: usize, const N: usize>(
+        fn at_baked<const K: usize, const C: usize, const N: usize>(
             curve: &Curve<[Self; 2], K, C, N>,
             parts: usize,
+            order: usize,
             t: Self,
             outside: Outside,
         ) -> Result<Result<[Self; 2], EvaluateError>, CurveError> {
-            of_spans!(curve, parts, t, outside, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18)
+            of_spans!(
+                curve, parts, order, t, outside, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18
+            )
         }
     };
 }
