@@ -221,6 +221,12 @@ macro_rules! floats {
             }
 
             #[inline]
+            fn step(t: Self, from: Self) -> usize {
+                // The sign.
+                ((t - from).to_bits() >> ($Whole::BITS - 1) ^ 1) as usize
+            }
+
+            #[inline]
             fn before(t: Self, end: Self) -> Self {
                 Number::min(t, end.next_down())
             }
