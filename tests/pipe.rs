@@ -3,6 +3,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
+#[macro_use]
 #[path = "number/mod.rs"]
 mod number;
 
@@ -503,20 +504,6 @@ static ELBOW: Pipe<f32, 2> = constant!(Pipe::<f32, 2>::through(
 fn a_pipe_can_live_in_flash() {
     assert_eq!(ELBOW.segments(), 2);
     assert_eq!(spans(&ELBOW, &ray::<f32>([-2.0, 0.0, 0.0], [1.0, 0.0, 0.0])), [(1.0, 2.25)]);
-}
-
-macro_rules! for_every_number {
-    ($($test:ident),+ $(,)?) => {
-        mod f32 {
-            $(#[test] fn $test() { super::$test::<f32>(); })+
-        }
-        mod f64 {
-            $(#[test] fn $test() { super::$test::<f64>(); })+
-        }
-        mod i16f16 {
-            $(#[test] fn $test() { super::$test::<scancsg::scalar::I16F16>(); })+
-        }
-    };
 }
 
 for_every_number!(

@@ -306,21 +306,14 @@ where
     /// The length of the ray inside the solid, in scene units.
     #[must_use]
     pub fn path_length(&mut self) -> R::Scalar {
-        let Self { seen: Seen { mut t, mut inside, .. }, .. } = *self;
-        let mut enter = if inside { self.camera.start() } else { t };
-        let mut sum = R::Scalar::ZERO;
-        if inside {
-            sum = t.minus(enter);
-        }
-        // The surface that is seen has been crossed.
-        inside = !inside;
+        let Seen { mut t, inside, .. } = self.seen;
+        let mut sum = if inside { t.minus(self.camera.start()) } else { R::Scalar::ZERO };
         while t < R::Scalar::HIGHEST {
-            t = self.solid.look(self.view, self.row, self.x, t, Face(0)).next.t;
+            let Look { inside, next } = self.solid.look(self.view, self.row, self.x, t, Face(0));
             if inside {
-                sum = sum.plus(t.minus(enter));
+                sum = sum.plus(next.t.minus(t));
             }
-            enter = t;
-            inside = !inside;
+            t = next.t;
         }
         sum.times(R::Scalar::length(self.line().direction.to_array()))
     }

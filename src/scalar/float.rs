@@ -77,48 +77,15 @@ fn two_product_wide(a: f32, b: f32) -> (f32, f32) {
     (product, (exact - f64::from(product)) as f32)
 }
 
-/// `a·b + c`, rounded once, unless the result is subnormal.
-#[inline]
-#[allow(dead_code)] // on targets with something faster
-fn fused_wide(a: f32, b: f32, c: f32) -> f32 {
-    let product = f64::from(a) * f64::from(b);
-    let sum = product + f64::from(c);
-    // Rounding twice is rounding once, unless the first one ends half-way between two `f32`.
-    const BELOW: u64 = (1 << 29) - 1;
-    if sum.to_bits() & BELOW == 1 << 28 { fused_half_way(product, sum, c) } else { sum as f32 }
-}
-
-/// [`fused_wide`] where `sum` is half-way between two numbers: what it was rounded by decides.
-#[cold]
-fn fused_half_way(product: f64, sum: f64, c: f32) -> f32 {
-    let c = f64::from(c);
-    let rest = sum - product;
-    let error = (product - (sum - rest)) + (c - rest);
-    let nudged = if error == 0.0 {
-        sum
-    } else if (error > 0.0) == (sum > 0.0) {
-        f64::from_bits(sum.to_bits() + 1)
-    } else {
-        f64::from_bits(sum.to_bits() - 1)
-    };
-    nudged as f32
-}
-
-#[inline]
-#[allow(dead_code)] // on targets with something faster
-fn squares_less_wide([x, y]: [f32; 2], z: f32) -> f32 {
-    fused_wide(x, x, fused_wide(y, y, -z))
-}
-
 #[inline]
 fn squares_less_f64([x, y]: [f64; 2], z: f64) -> f64 {
     f64::add_product(f64::add_product(-z, y, y), x, x)
 }
 
+#[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64"))))]
+use super::fused::squares_less as squares_less_f32;
 #[cfg(all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64")))]
 use super::hardware::squares_less as squares_less_f32;
-#[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64"))))]
-use squares_less_wide as squares_less_f32;
 
 #[cfg(all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64")))]
 use super::hardware::two_product as two_product_f32;
@@ -461,33 +428,6 @@ mod tests {
             let wide = bits(two_product_wide(a, b));
             prop_assert_eq!(bits(two_product_soft(a, b)), wide);
             prop_assert_eq!(bits((a * b, a.mul_add(b, -(a * b)))), wide);
-        }
-
-        #[test]
-        fn fused_sums_have_the_bits_of_hardware(
-            x in 1f32..2.0, y in -2f32..-1.0, z in 1f32..2.0,
-            x_exponent in -60i32..60, y_exponent in -60i32..60, gap in -50i32..50,
-        ) {
-            let (a, b) = (x * 2f32.powi(x_exponent), y * 2f32.powi(y_exponent));
-            let c = z * 2f32.powi((x_exponent + y_exponent + gap).clamp(-120, 120));
-            let fused = a.mul_add(b, c);
-            prop_assume!(fused == 0.0 || fused.is_normal());
-            prop_assert_eq!(fused_wide(a, b, c).to_bits(), fused.to_bits());
-        }
-
-        #[test]
-        fn fused_sums_near_half_way(
-            odd in 0u32..1 << 23, ulps in -2i32..=2, gap in 26i32..40, sign in any::<bool>(),
-        ) {
-            // c ends in a digit that the product's leading one halves, and its last one decides.
-            let c = f32::from_bits(1f32.to_bits() | odd);
-            let near_one = |ulps: i32| f32::from_bits(0x3f80_0000u32.wrapping_add_signed(ulps));
-            let a = near_one(ulps) * 2f32.powi(-24) * if sign { 1.0 } else { -1.0 };
-            for b in [1.0, near_one(1), near_one(-1), 1.0 + 2f32.powi(gap - 49)] {
-                prop_assert_eq!(fused_wide(a, b, c).to_bits(), a.mul_add(b, c).to_bits());
-                let squares = squares_less_wide([a, c], b);
-                prop_assert_eq!(squares.to_bits(), a.mul_add(a, c.mul_add(c, -b)).to_bits());
-            }
         }
 
         #[test]

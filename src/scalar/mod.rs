@@ -14,6 +14,8 @@ mod factor;
 mod fine;
 mod fixed;
 mod float;
+#[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64"))))]
+mod fused;
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
 mod hardware;
 mod number;

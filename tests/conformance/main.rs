@@ -5,23 +5,9 @@
 
 #[path = "../caster/mod.rs"]
 mod caster;
+#[macro_use]
 #[path = "../number/mod.rs"]
 mod number;
-
-/// Makes tests of functions with a number type as their parameter.
-macro_rules! for_every_number {
-    ($($test:ident),+ $(,)?) => {
-        mod f32 {
-            $(#[test] fn $test() { super::$test::<f32>(); })+
-        }
-        mod f64 {
-            $(#[test] fn $test() { super::$test::<f64>(); })+
-        }
-        mod i16f16 {
-            $(#[test] fn $test() { super::$test::<scancsg::scalar::I16F16>(); })+
-        }
-    };
-}
 
 mod bad_input;
 mod cylinders;

@@ -135,6 +135,25 @@ fn a_merge_ends_whatever_it_is_given<S: Tested>() {
     assert_eq!(*list, [of(0.0, 1.0), of(0.5, 3.0)]);
 }
 
+/// Checks every column of every row of a picture.
+fn check_columns<T: Project<R>, R: Rays>(
+    solid: &T,
+    rays: &R,
+    height: u16,
+    mut check: impl FnMut(&T::View, &mut T::Row, Column) -> Result<(), TestCaseError>,
+) -> Result<(), TestCaseError> {
+    let (mut view, mut row) = (T::View::BLANK, T::Row::BLANK);
+    solid.view(rays, &mut view);
+    for y in 0..height {
+        solid.row(&view, 2 * i32::from(y) + 1 - i32::from(height), &mut row);
+        for index in 0..rays.columns() {
+            let x = 2 * index as i32 + 1 - rays.columns() as i32;
+            check(&view, &mut row, Column { index, x })?;
+        }
+    }
+    Ok(())
+}
+
 /// Asks a row in every column, and wants nothing outside of its extent.
 fn check_extents<S, T, R>(solid: &T, rays: &R, height: u16) -> Result<(), TestCaseError>
 where
@@ -142,18 +161,14 @@ where
     R: Rays<Scalar = S>,
     T: Solid<Scalar = S> + Project<R>,
 {
-    let (mut view, mut row) = (T::View::BLANK, T::Row::BLANK);
-    solid.view(rays, &mut view);
     let mut list = SpanList::<S, 1>::new();
-    for y in 0..height {
-        solid.row(&view, 2 * i32::from(y) + 1 - i32::from(height), &mut row);
-        for index in (0..rays.columns()).filter(|index| !T::outlook(&row, *index).is_there) {
-            let x = 2 * index as i32 + 1 - rays.columns() as i32;
-            solid.spans_at(&view, &row, Column { index, x }, Face(0), &mut list.stack());
-            prop_assert!(list.is_empty(), "column {} of row {}", index, y);
+    check_columns(solid, rays, height, |view, row, column| {
+        if !T::outlook(row, column.index).is_there {
+            solid.spans_at(view, row, column, Face(0), &mut list.stack());
+            prop_assert!(list.is_empty(), "{:?}", column);
         }
-    }
-    Ok(())
+        Ok(())
+    })
 }
 
 fn direction() -> impl Strategy<Value = [f64; 3]> {
@@ -231,38 +246,32 @@ where
     R: Rays<Scalar = S>,
     T: Solid<Scalar = S> + Project<R>,
 {
-    let (mut view, mut row) = (T::View::BLANK, T::Row::BLANK);
-    solid.view(rays, &mut view);
     let mut list = SpanList::<S, 64>::new();
-    for y in 0..height {
-        solid.row(&view, 2 * i32::from(y) + 1 - i32::from(height), &mut row);
-        for index in 0..rays.columns() {
-            let x = 2 * index as i32 + 1 - rays.columns() as i32;
-            solid.spans_at(&view, &row, Column { index, x }, Face(0), &mut list.stack());
-            let mut wanted = list.iter().flat_map(|span| [span.enter, span.exit]);
-            let mut inside = list.first().is_some_and(|span| span.enter.t == S::LOWEST);
-            if inside {
-                wanted.next();
-            }
-            if T::outlook(&row, index).is_there {
-                T::enter(&mut row, index);
-                let mut t = S::LOWEST;
-                loop {
-                    prop_assert_eq!(solid.holds(&view, &mut row, x, t), inside);
-                    let look = solid.look(&view, &mut row, x, t, Face(0));
-                    prop_assert_eq!(look.inside, inside);
-                    if look.next.t == S::HIGHEST {
-                        break;
-                    }
-                    prop_assert_eq!(Some(look.next), wanted.next());
-                    (t, inside) = (look.next.t, !inside);
-                    crossings.set(crossings.get() + 1);
-                }
-            }
-            prop_assert!(wanted.all(|crossing| crossing.t == S::HIGHEST));
+    check_columns(solid, rays, height, |view, row, column| {
+        solid.spans_at(view, row, column, Face(0), &mut list.stack());
+        let mut wanted = list.iter().flat_map(|span| [span.enter, span.exit]);
+        let mut inside = list.first().is_some_and(|span| span.enter.t == S::LOWEST);
+        if inside {
+            wanted.next();
         }
-    }
-    Ok(())
+        if T::outlook(row, column.index).is_there {
+            T::enter(row, column.index);
+            let mut t = S::LOWEST;
+            loop {
+                prop_assert_eq!(solid.holds(view, row, column.x, t), inside);
+                let look = solid.look(view, row, column.x, t, Face(0));
+                prop_assert_eq!(look.inside, inside);
+                if look.next.t == S::HIGHEST {
+                    break;
+                }
+                prop_assert_eq!(Some(look.next), wanted.next());
+                (t, inside) = (look.next.t, !inside);
+                crossings.set(crossings.get() + 1);
+            }
+        }
+        prop_assert!(wanted.all(|crossing| crossing.t == S::HIGHEST));
+        Ok(())
+    })
 }
 
 /// Numbers of a coarse grid, so that faces coincide and touch.

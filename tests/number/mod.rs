@@ -11,6 +11,22 @@ use scancsg::solid::{
 };
 use scancsg::span::SpanList;
 
+/// Makes tests of functions with a number type as their parameter.
+#[allow(unused_macros)] // not every test has such functions
+macro_rules! for_every_number {
+    ($($test:ident),+ $(,)?) => {
+        mod f32 {
+            $(#[test] fn $test() { super::$test::<f32>(); })+
+        }
+        mod f64 {
+            $(#[test] fn $test() { super::$test::<f64>(); })+
+        }
+        mod i16f16 {
+            $(#[test] fn $test() { super::$test::<scancsg::scalar::I16F16>(); })+
+        }
+    };
+}
+
 /// A number type under test.
 pub trait Tested: Intersect {
     /// What the type has that is no number: NaN and both infinities, or nothing.

@@ -43,9 +43,10 @@ impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
         let columns = view.caps.columns;
         let (wall, silhouette) = match view.wall {
             Wall::Across { distance, middle, .. } => {
-                let silhouette = extent(&radius, &[Affine::row(distance, y)], columns);
-                let [distance, middle] = [distance, middle].map(|of| Affine::row(of, y).middle);
-                (WallRow::Across { distance, middle }, silhouette)
+                let [distance, middle] = [distance, middle].map(|of| Affine::row(of, y));
+                let silhouette = extent(&radius, &[distance], columns);
+                let row = WallRow::Across { distance: distance.middle, middle: middle.middle };
+                (row, silhouette)
             }
             Wall::Along { moments } => {
                 let moments = vector_row(moments, y);

@@ -1,0 +1,68 @@
+//! Fused products and sums of `f32`, with the bits of hardware's, by sums in `f64`.
+
+/// `a·b + c`, rounded once, unless the result is subnormal.
+#[inline]
+fn product_sum(a: f32, b: f32, c: f32) -> f32 {
+    let product = f64::from(a) * f64::from(b);
+    let sum = product + f64::from(c);
+    // Rounding twice is rounding once, unless the first one ends half-way between two `f32`.
+    const BELOW: u64 = (1 << 29) - 1;
+    if sum.to_bits() & BELOW == 1 << 28 { fused_half_way(product, sum, c) } else { sum as f32 }
+}
+
+/// [`product_sum`] where `sum` is half-way between two numbers: what it was rounded by decides.
+#[cold]
+fn fused_half_way(product: f64, sum: f64, c: f32) -> f32 {
+    let c = f64::from(c);
+    let rest = sum - product;
+    let error = (product - (sum - rest)) + (c - rest);
+    let nudged = if error == 0.0 {
+        sum
+    } else if (error > 0.0) == (sum > 0.0) {
+        f64::from_bits(sum.to_bits() + 1)
+    } else {
+        f64::from_bits(sum.to_bits() - 1)
+    };
+    nudged as f32
+}
+
+/// `x·x + (y·y − z)`.
+#[inline]
+pub(super) fn squares_less([x, y]: [f32; 2], z: f32) -> f32 {
+    product_sum(x, x, product_sum(y, y, -z))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn fused_sums_have_the_bits_of_hardware(
+            x in 1f32..2.0, y in -2f32..-1.0, z in 1f32..2.0,
+            x_exponent in -60i32..60, y_exponent in -60i32..60, gap in -50i32..50,
+        ) {
+            let (a, b) = (x * 2f32.powi(x_exponent), y * 2f32.powi(y_exponent));
+            let c = z * 2f32.powi((x_exponent + y_exponent + gap).clamp(-120, 120));
+            let fused = a.mul_add(b, c);
+            prop_assume!(fused == 0.0 || fused.is_normal());
+            prop_assert_eq!(product_sum(a, b, c).to_bits(), fused.to_bits());
+        }
+
+        #[test]
+        fn fused_sums_near_half_way(
+            odd in 0u32..1 << 23, ulps in -2i32..=2, gap in 26i32..40, sign in any::<bool>(),
+        ) {
+            // c ends in a digit that the product's leading one halves, and its last one decides.
+            let c = f32::from_bits(1f32.to_bits() | odd);
+            let near_one = |ulps: i32| f32::from_bits(0x3f80_0000u32.wrapping_add_signed(ulps));
+            let a = near_one(ulps) * 2f32.powi(-24) * if sign { 1.0 } else { -1.0 };
+            for b in [1.0, near_one(1), near_one(-1), 1.0 + 2f32.powi(gap - 49)] {
+                prop_assert_eq!(product_sum(a, b, c).to_bits(), a.mul_add(b, c).to_bits());
+                let squares = squares_less([a, c], b);
+                prop_assert_eq!(squares.to_bits(), a.mul_add(a, c.mul_add(c, -b)).to_bits());
+            }
+        }
+    }
+}
