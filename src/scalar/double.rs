@@ -1,6 +1,7 @@
 //! Unevaluated sums of two numbers: twice the working precision where a difference cancels.
 
-use super::float::{Float, two_sum};
+use super::error_free::two_sum;
+use super::float::Float;
 
 /// `high + low`, where `low` is at most half a unit in the last place of `high`.
 ///

@@ -42,23 +42,19 @@ pub(super) fn two_product(a: f32, b: f32) -> (f32, f32) {
     (f32::from_bits(x), f32::from_bits(y))
 }
 
-/// `x·x + (y·y − z)`, by fused products and sums.
+/// `x·x − y`, by a fused product and sum.
 #[cfg(not(target_has_atomic = "64"))]
 #[inline]
-pub(super) fn squares_less([x, y]: [f32; 2], z: f32) -> f32 {
-    let mut bits = z.to_bits();
+pub(super) fn square_less(x: f32, y: f32) -> f32 {
+    let mut bits = y.to_bits();
     // SAFETY: as in `two_product`.
     unsafe {
         asm!(
             "vmov s14, s15, {x}, {y}",
-            "vmov s13, {z}",
-            "vfnms.f32 s13, s15, s15", // y·y − z
-            "vfma.f32 s13, s14, s14",
-            "vmov {z}, s13",
+            "vfnms.f32 s15, s14, s14", // x·x − y
+            "vmov {y}, s15",
             x = in(reg) x.to_bits(),
-            y = in(reg) y.to_bits(),
-            z = inout(reg) bits,
-            out("s13") _,
+            y = inout(reg) bits,
             out("s14") _,
             out("s15") _,
             options(pure, nomem, nostack, preserves_flags),

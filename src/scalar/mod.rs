@@ -10,6 +10,7 @@
 
 mod check;
 mod double;
+mod error_free;
 mod factor;
 mod fine;
 mod fixed;
@@ -31,8 +32,9 @@ pub use ::fixed::types::I16F16;
 
 pub(crate) use self::check::{Check, Stretch};
 pub(crate) use self::double::Double;
+pub(crate) use self::error_free::two_sum;
 pub(crate) use self::fixed::Fraction;
-pub(crate) use self::float::{Float, two_sum};
+pub(crate) use self::float::Float;
 pub(crate) use self::rebase::Rebased;
 
 use core::fmt::Debug;

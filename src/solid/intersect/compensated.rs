@@ -9,257 +9,55 @@
 //! The axis is never normalised away, and `|d × axis|²` is never 1 − d²: a line along the axis
 //! gives m = 0 exactly.
 
+use super::aligned::{Aligned, Clear};
 use super::{Intersect, Passage};
-use crate::geom::{Axis, Direction, Line, Vec3};
-use crate::scalar::{Double, Float, two_sum};
+use crate::geom::{Line, Vec3};
+use crate::scalar::Float;
 use crate::solid::cylinder::{Cylinder, Tube, WALL};
 use crate::solid::slab::Slab;
 use crate::span::{Crossing, Span};
 
 /// Where a line is inside the wall: from the first parameter to the second one, which are the same
 /// for a tangent. For a line beside the wall, the first one is larger.
-type Inside<S> = (S, S);
+pub(super) type Inside<S> = (S, S);
 
 impl<S: Float> Tube<S> {
-    const NOWHERE: Inside<S> = (S::HIGHEST, S::LOWEST);
+    pub(super) const NOWHERE: Inside<S> = (S::HIGHEST, S::LOWEST);
     const EVERYWHERE: Inside<S> = (S::LOWEST, S::HIGHEST);
 
-    /// Along a coordinate axis: where the line is inside the wall, quickly if it is neither near a
-    /// tangent nor starts near the wall or inside.
-    ///
-    /// There q and m are two coordinates of u and d, turned by 90°, and plain sums do. The error of k
-    /// is that of |q||m|, and so is s, as long as the line starts outside: D > k²/8 holds down the
-    /// k/√D times as much that reaches s. With c > r² little cancels in c and b, and b isn't zero.
-    /// `None` is for all other lines.
-    #[inline(always)]
-    fn meet_clearly(&self, o: [S; 2], base: [S; 2], m: [S; 2]) -> Option<Inside<S>> {
-        let q = [o[0] - base[0], o[1] - base[1]];
-        let radius_squared = self.radius * self.radius;
-        let a = m[0] * m[0] + m[1] * m[1];
-        let k = q[0] * m[1] - q[1] * m[0];
-        let (largest, square) = (radius_squared * a, k * k);
-        let discriminant = largest - square;
-        if discriminant * S::from_int(8) > square {
-            let c = S::squares_less(q, radius_squared);
-            if c > radius_squared {
-                let b = q[0] * m[0] + q[1] * m[1];
-                let s = discriminant.sqrt() + b.abs();
-                let (near, far) = (c / s, s / a);
-                return Some(if b > S::ZERO { (-far, -near) } else { (near, far) });
-            }
-        } else {
-            // Several times what D can be wrong by, k's error included.
-            let [q, m] = [q, m].map(|[x, y]| x.abs() + y.abs());
-            let error = (largest + k.abs() * (q * m)) * S::from_int(4) * S::EPSILON;
-            if discriminant < -error && a > S::EPSILON {
-                return Some(Self::NOWHERE);
-            }
-        }
-        None
-    }
-
-    /// Along a coordinate axis: where the line is inside the wall.
-    ///
-    /// Compensated are the two terms that cancel wherever the line starts: k, and c. The error of D
-    /// is then a few units of r²a, and reaches s divided by 2√D: so √D·s ≥ r²a/2 holds it to a few
-    /// units of s. What is nearer to a tangent, or to a parallel to the axis, goes on to
-    /// `meet_across`.
-    #[inline]
-    fn meet_carefully(&self, o: [S; 2], base: [S; 2], m: [S; 2]) -> Inside<S> {
-        let radius = self.radius;
-        let q = [Double::sum(o[0], -base[0]), Double::sum(o[1], -base[1])];
-        let a = m[0] * m[0] + m[1] * m[1];
-        let k = S::product_difference(q[0].high, m[1], q[1].high, m[0])
-            + (q[0].low * m[1] - q[1].low * m[0]);
-        let largest = radius * radius * a;
-        let discriminant = largest - k * k;
-        let b = q[0].high * m[0] + q[1].high * m[1];
-        // NaN where D is negative: then it isn't clear.
-        let half = discriminant.sqrt();
-        let s = half + b.abs();
-        if half * s > largest * S::HALF {
-            return ends(a, b, squared_less_square(q, radius), half);
-        }
-        // Several times what D can be wrong by, as long as no square has lost its digits.
-        let error = largest * S::EPSILON * S::from_int(32);
-        if discriminant < -error && a > S::EPSILON {
-            return Self::NOWHERE;
-        }
-        Self::meet_across(q, m, radius)
-    }
-
-    /// Along a coordinate axis: where the line is inside the wall, with everything that can cancel in
-    /// twice the working precision.
-    #[inline]
-    fn meet_across(q: [Double<S>; 2], m: [S; 2], radius: S) -> Inside<S> {
-        let radius_squared = Double::product(radius, radius);
-        let a = Double::product(m[0], m[0]).plus_roughly(Double::product(m[1], m[1]));
-        if a.high <= S::ZERO {
-            return Self::parallel(squared_less_square(q, radius));
-        }
-        let k = Double::product(q[0].high, m[1]).minus_roughly(Double::product(q[1].high, m[0]));
-        let k = Double { low: k.low + (q[0].low * m[1] - q[1].low * m[0]), ..k };
-        let discriminant = Double::product_less_square(radius_squared, a, k);
-        if discriminant < S::ZERO {
-            return Self::NOWHERE;
-        }
-        let b = Double::product(q[0].high, m[0]).plus_roughly(Double::product(q[1].high, m[1]));
-        let b = b.high + (b.low + (q[0].low * m[0] + q[1].low * m[1]));
-        if discriminant == S::ZERO {
-            // A tangent has one root, but c/s would round to another number, or be 0/0.
-            let t = -b / a.high;
-            return (t, t);
-        }
-        ends(a.high, b, squared_less_square(q, radius), discriminant.sqrt())
-    }
-
     /// Where a line along the axis is inside the wall.
-    fn parallel(c: S) -> Inside<S> {
+    pub(super) fn parallel(c: S) -> Inside<S> {
         if c < S::ZERO { Self::EVERYWHERE } else { Self::NOWHERE }
     }
-
-    /// Along any axis: where the line is inside the wall, quickly where little cancels.
-    ///
-    /// The error of D reaches s divided by 2√D, and is kept where that quotient is small. Plain
-    /// sums are good enough for b if it isn't small beside |q||m| with s small as well, and for c
-    /// from some way off the wall on.
-    #[inline(never)]
-    fn meet_obliquely(&self, axis: &Direction<S>, line: &Line<S>) -> Inside<S> {
-        let u = line.origin - self.base;
-        let d = line.direction;
-        let radius_squared = Double::product(self.radius, self.radius);
-        let (m, q) = (d.cross(axis.vector()), u.cross(axis.vector()));
-        let (a, b, k) = (m.length_squared(), q.dot(m), u.dot_compensated(m));
-        let largest = radius_squared.high * a;
-        let discriminant = largest - k * k;
-        let error = largest * S::EPSILON * S::from_int(8);
-        let is_precise = if discriminant < S::ZERO {
-            discriminant < -error
-        } else {
-            discriminant * (discriminant + b * b) > largest * largest
-        };
-        let distance_squared = q.length_squared();
-        let c = distance_squared - radius_squared.high;
-        if is_precise && discriminant < S::ZERO {
-            return Self::NOWHERE;
-        }
-        let s = discriminant.max(S::ZERO).sqrt() + b.abs();
-        let is_clear = c.abs() + c.abs() >= distance_squared + radius_squared.high
-            && s * s * S::from_int(4) > distance_squared * a;
-        if is_precise && is_clear {
-            points(s / a, c / s, b, discriminant)
-        } else {
-            self.meet_closely(axis, line)
-        }
-    }
-
-    /// Along any axis: where the line is inside the wall, in twice the working precision throughout.
-    #[cold]
-    #[inline(never)]
-    fn meet_closely(&self, axis: &Direction<S>, line: &Line<S>) -> Inside<S> {
-        let u = difference(line.origin, self.base);
-        let (d, axis) = (widened(line.direction), widened(axis.vector()));
-        let m = cross(d, axis);
-        self.roots_closely(cross(u, axis), m, dot(u.to_array(), m))
-    }
-
-    fn roots_closely(&self, q: [Double<S>; 3], m: [Double<S>; 3], k: Double<S>) -> Inside<S> {
-        let radius_squared = Double::product(self.radius, self.radius);
-        let a = dot(m, m);
-        let c = dot(q, q).minus(radius_squared).round();
-        if a.high <= S::ZERO {
-            return Self::parallel(c);
-        }
-        let discriminant = radius_squared.times(a).minus(k.times(k)).round();
-        if discriminant < S::ZERO {
-            return Self::NOWHERE;
-        }
-        let b = dot(q, m).round();
-        let s = discriminant.sqrt() + b.abs();
-        let far = s / a.round();
-        points(far, c / s, b, discriminant)
-    }
-}
-
-/// The roots s/a and c/s in ascending order, where `half` is √D and s has the sign of −b.
-#[inline]
-fn ends<S: Float>(a: S, b: S, c: S, half: S) -> Inside<S> {
-    let s = if b > S::ZERO { -half - b } else { half - b };
-    let far = s / a;
-    // With b = 0 both are ±√D/a: from either end of the line the same.
-    let near = if b == S::ZERO { -far } else { c / s };
-    (near.min(far), near.max(far))
-}
-
-/// `|q|² − r²` with the errors of squares and sums added back.
-#[inline]
-fn squared_less_square<S: Float>(q: [Double<S>; 2], radius: S) -> S {
-    let [q0, q1] = q;
-    let (p0, e0) = S::two_product(q0.high, q0.high);
-    let (p1, e1) = S::two_product(q1.high, q1.high);
-    let (p2, e2) = S::two_product(radius, radius);
-    let (sum, f0) = two_sum(p0, p1);
-    let (sum, f1) = two_sum(sum, -p2);
-    let cross = q0.high * q0.low + q1.high * q1.low;
-    sum + (((e0 + e1) - e2) + (f0 + f1) + (cross + cross))
-}
-
-/// The points from the roots' sizes: `far` = (|b| + √D)/a, and `near` = c/(|b| + √D).
-fn points<S: Float>(far: S, near: S, b: S, discriminant: S) -> Inside<S> {
-    // A tangent has one root, but c/s would round to another number, or be 0/0.
-    let near = if discriminant > S::ZERO { near } else { far };
-    // With b = 0 both are ±√D/a: from either end of the line the same.
-    let (one, other) = if b == S::ZERO {
-        (-far, far)
-    } else if b > S::ZERO {
-        (-far, -near)
-    } else {
-        (near, far)
-    };
-    // Almost tangent, they may come out in the wrong order by a rounding error.
-    if one < other { (one, other) } else { (other, one) }
-}
-
-fn dot<S: Float, const N: usize>(x: [Double<S>; N], y: [Double<S>; N]) -> Double<S> {
-    let zero = Double::from(S::ZERO);
-    x.into_iter().zip(y).fold(zero, |sum, (x, y)| sum.plus(x.times(y)))
-}
-
-/// The scalar product of one vector with another turned by 90°.
-fn turned<S: Float>([x0, x1]: [Double<S>; 2], [y0, y1]: [Double<S>; 2]) -> Double<S> {
-    x0.times(y1).minus(x1.times(y0))
-}
-
-fn cross<S: Float>(x: Vec3<Double<S>>, y: Vec3<Double<S>>) -> [Double<S>; 3] {
-    [Axis::X, Axis::Y, Axis::Z].map(|axis| turned(axis.across(x), axis.across(y)))
-}
-
-/// `p − q`, exactly.
-fn difference<S: Float>(p: Vec3<S>, q: Vec3<S>) -> Vec3<Double<S>> {
-    Vec3::new(Double::sum(p.x, -q.x), Double::sum(p.y, -q.y), Double::sum(p.z, -q.z))
-}
-
-fn widened<S: Float>(v: Vec3<S>) -> Vec3<Double<S>> {
-    Vec3::new(Double::from(v.x), Double::from(v.y), Double::from(v.z))
 }
 
 /// What the line has in the cylinder.
-// Always: the answer is handed on in registers. Written to memory in pieces and read as a whole,
-// it would wait for the writes.
+// Always: the answer is handed on in registers, and so is the line, of which functions for rare lines
+// get a copy. Written to memory in pieces and read as a whole, it would wait for the writes.
 #[inline(always)]
 fn cut<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> Option<Span<S>> {
     let Cylinder { tube, caps } = cylinder;
-    let ((at_zero, speed), inside) = if let Some(along) = caps.normal.along() {
-        let [o, d, base, n] =
-            [line.origin, line.direction, tube.base, caps.normal.vector()].map(|v| along.turned(v));
-        let inside = tube.meet_clearly([o[1], o[2]], [base[1], base[2]], [d[1], d[2]]);
-        ((n[0] * o[0], n[0] * d[0]), inside)
-    } else {
-        (heights(cylinder, &{ *line }), None)
+    let ((at_zero, speed), clear) = match Aligned::new(cylinder, line) {
+        Some(aligned) => ((aligned.at_zero, aligned.speed), aligned.meet_clearly(tube.radius)),
+        None => (heights(cylinder, &{ *line }), Clear::Not),
     };
-    // Copies, so that the caller's line can stay in registers.
-    let inside = inside.unwrap_or_else(|| meet(cylinder, &{ *line }));
-    caps.passage(at_zero, speed).ends()?.overlap(wall(inside))
+    let inside = match clear {
+        Clear::Beside => return None,
+        Clear::Inside(inside) => inside,
+        Clear::Not => meet(cylinder, &{ *line }),
+    };
+    // Of a line along the planes these are infinite, or 0/0: then that is looked into last, because
+    // it is rare.
+    let at = S::quotients([caps.low - at_zero, caps.high - at_zero], speed);
+    let passage = Passage::Across { at, upwards: speed > S::ZERO };
+    let (enter, exit) = passage.ends()?.common_ends(wall(inside));
+    if enter.t < exit.t {
+        Some(Span { enter, exit })
+    } else if speed == S::ZERO {
+        caps.passage(at_zero, speed).ends()?.overlap(wall(inside))
+    } else {
+        None
+    }
 }
 
 /// How high a line is above the plane through the scene's origin at t = 0, and how it rises.

@@ -1,12 +1,15 @@
 //! Where lines meet walls, balls and planes: the one thing that number types do in ways of their
 //! own.
 //!
-//! Floating point computes in twice the working precision what would cancel; see `compensated`.
+//! Floating point computes in twice the working precision what would cancel; see `compensated`, and
+//! `aligned` and `oblique` beside it.
 //! Fixed point computes everything exactly, in whole numbers of 128 bits or 256, and rounds the
 //! parameters once; see `exact`.
 
+mod aligned;
 mod compensated;
 mod exact;
+mod oblique;
 mod quadratic;
 
 use super::cylinder::Cylinder;

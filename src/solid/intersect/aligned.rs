@@ -1,0 +1,168 @@
+//! Lines and cylinders along coordinate axes, in floating point: the quick way for ordinary lines, and
+//! the careful one for all others.
+//!
+//! Here q and m are two coordinates of u and d, turned by 90°.
+
+use super::compensated::Inside;
+use crate::geom::{Axis, Line};
+use crate::scalar::{Double, Float, two_sum};
+use crate::solid::cylinder::{Cylinder, Tube};
+
+/// What plain sums say about a line and a cylinder along a coordinate axis.
+pub(super) struct Aligned<S> {
+    /// The line's origin and the axis, in the two coordinates across the axis, and their difference.
+    origin: [S; 2],
+    base: [S; 2],
+    q: [S; 2],
+    m: [S; 2],
+    a: S,
+    b: S,
+    k: S,
+    /// How high the line is above the plane through the scene's origin at t = 0, and how it rises.
+    pub(super) at_zero: S,
+    pub(super) speed: S,
+}
+
+/// Where a line is inside the wall, if that is clear.
+pub(super) enum Clear<S> {
+    Beside,
+    Inside(Inside<S>),
+    Not,
+}
+
+impl<S: Float> Aligned<S> {
+    /// `None` for a cylinder along another axis.
+    ///
+    /// Each axis has sums of its own: moving the coordinates to common places first costs more.
+    #[inline(always)]
+    pub(super) fn new(cylinder: &Cylinder<S>, line: &Line<S>) -> Option<Self> {
+        let Cylinder { tube, caps } = cylinder;
+        let (normal, o, d, base) = (caps.normal.vector(), line.origin, line.direction, tube.base);
+        Some(match caps.normal.along()? {
+            Axis::X => Self::of(normal.x, o.x, d.x, [o.y, o.z], [d.y, d.z], [base.y, base.z]),
+            Axis::Y => Self::of(normal.y, o.y, d.y, [o.x, o.z], [d.x, d.z], [base.x, base.z]),
+            Axis::Z => Self::of(normal.z, o.z, d.z, [o.y, o.x], [d.y, d.x], [base.y, base.x]),
+        })
+    }
+
+    #[inline(always)]
+    fn of(normal: S, height: S, rise: S, origin: [S; 2], m: [S; 2], base: [S; 2]) -> Self {
+        let q = [origin[0] - base[0], origin[1] - base[1]];
+        Self {
+            origin,
+            base,
+            q,
+            m,
+            a: m[0] * m[0] + m[1] * m[1],
+            b: q[0] * m[0] + q[1] * m[1],
+            k: q[0] * m[1] - q[1] * m[0],
+            at_zero: normal * height,
+            speed: normal * rise,
+        }
+    }
+
+    /// Where the line is inside the wall, if it doesn't come near a tangent.
+    ///
+    /// There, plain sums do for k and D. The error of k is that of |q||m|; outside of the wall, s is
+    /// about as large, and near the wall or inside, r√a is. D > k²/8 holds down the k/√D times as much
+    /// that reaches s. From c > r² on little cancels in c and b either; nearer, c is compensated, and
+    /// √D·s > r²a/2 holds the error of D, a few units of r²a, to a few units of s when it reaches s
+    /// divided by 2√D.
+    #[inline(always)]
+    pub(super) fn meet_clearly(&self, radius: S) -> Clear<S> {
+        let Self { origin, base, q, m, a, b, k, .. } = *self;
+        let radius_squared = radius * radius;
+        let (largest, square) = (radius_squared * a, k * k);
+        let discriminant = largest - square;
+        if discriminant * S::from_int(8) > square {
+            let c = S::square_less(q[0], radius_squared) + q[1] * q[1];
+            let half = discriminant.sqrt();
+            let is_precise = || half * (half + b.abs()) > largest * S::HALF;
+            let c = if c > radius_squared {
+                c
+            } else if b != S::ZERO && is_precise() {
+                gap(origin[0], origin[1], base[0], base[1], radius)
+            } else {
+                return Clear::Not;
+            };
+            return Clear::Inside(if b < S::ZERO {
+                let s = half - b;
+                (c / s, s / a)
+            } else {
+                let s = -half - b;
+                (s / a, c / s)
+            });
+        }
+        // Several times what D can be wrong by, k's error included.
+        let [q, m] = [q, m].map(|[x, y]| x.abs() + y.abs());
+        let error = (largest + k.abs() * (q * m)) * S::from_int(4) * S::EPSILON;
+        if discriminant < -error && a > S::EPSILON { Clear::Beside } else { Clear::Not }
+    }
+}
+
+/// c = |q|² − r², compensated.
+// A function with numbers for arguments: see `cut`.
+#[inline(never)]
+fn gap<S: Float>(origin_0: S, origin_1: S, base_0: S, base_1: S, radius: S) -> S {
+    let q = [Double::sum(origin_0, -base_0), Double::sum(origin_1, -base_1)];
+    squared_less_square(q, radius)
+}
+
+impl<S: Float> Tube<S> {
+    /// Where a line is inside the wall, with D in twice the working precision.
+    ///
+    /// So are b and c, unless the line starts outside: there they don't cancel.
+    #[inline]
+    pub(super) fn meet_carefully(&self, o: [S; 2], base: [S; 2], m: [S; 2]) -> Inside<S> {
+        let q = [Double::sum(o[0], -base[0]), Double::sum(o[1], -base[1])];
+        let [q0, q1] = q;
+        let radius_squared = Double::product(self.radius, self.radius);
+        let c = S::square_less(q0.high, radius_squared.high) + q1.high * q1.high;
+        let (b, c) = if c > radius_squared.high {
+            (q0.high * m[0] + q1.high * m[1], c)
+        } else {
+            let b = Double::product(q0.high, m[0]).plus_roughly(Double::product(q1.high, m[1]));
+            let b = b.high + (b.low + (q0.low * m[0] + q1.low * m[1]));
+            (b, squared_less_square(q, self.radius))
+        };
+        let a = Double::product(m[0], m[0]).plus_roughly(Double::product(m[1], m[1]));
+        if a.high <= S::ZERO {
+            return Self::parallel(c);
+        }
+        let k = Double::product(q0.high, m[1]).minus_roughly(Double::product(q1.high, m[0]));
+        let k = Double { low: k.low + (q0.low * m[1] - q1.low * m[0]), ..k };
+        let discriminant = Double::product_less_square(radius_squared, a, k);
+        if discriminant < S::ZERO {
+            return Self::NOWHERE;
+        }
+        if discriminant == S::ZERO {
+            // A tangent has one root, but c/s would round to another number, or be 0/0.
+            let t = -b / a.high;
+            return (t, t);
+        }
+        ends(a.high, b, c, discriminant.sqrt())
+    }
+}
+
+/// The roots s/a and c/s in ascending order, where `half` is √D and s has the sign of −b.
+#[inline]
+fn ends<S: Float>(a: S, b: S, c: S, half: S) -> Inside<S> {
+    let s = if b > S::ZERO { -half - b } else { half - b };
+    let far = s / a;
+    // With b = 0 both are ±√D/a: from either end of the line the same.
+    let near = if b == S::ZERO { -far } else { c / s };
+    (near.min(far), near.max(far))
+}
+
+/// `|q|² − r²` with the errors of squares and sums added back.
+#[inline]
+fn squared_less_square<S: Float>(q: [Double<S>; 2], radius: S) -> S {
+    let [q0, q1] = q;
+    let (p0, e0) = S::two_product(q0.high, q0.high);
+    let (p1, e1) = S::two_product(q1.high, q1.high);
+    let (p2, e2) = S::two_product(radius, radius);
+    let (sum, f0) = two_sum(p0, p1);
+    let (sum, f1) = two_sum(sum, -p2);
+    let cross = q0.high * q0.low + q1.high * q1.low;
+    sum + (((e0 + e1) - e2) + (f0 + f1) + (cross + cross))
+}
