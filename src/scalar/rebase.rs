@@ -29,13 +29,20 @@ impl<S: Scalar> Rebased<S> {
 ///
 /// The moved point's only error is the rounding of its coordinates, so moving pays when the old
 /// coordinates are much larger.
-#[inline]
+// Always: written to memory in pieces, the line would be waited for when it's read as a whole.
+#[inline(always)]
 pub(super) fn rebased<S: Float>(origin: [S; 3], direction: [S; 3]) -> Rebased<S> {
     let [x, y, z] = direction;
     let scale = x.abs().max(y.abs()).max(z.abs()).normalizing_power();
     let direction = direction.map(|coordinate| coordinate * scale);
-    let unmoved = Rebased { scale, ..Rebased::unchanged(origin, direction) };
-    if is_far(origin, direction) { moved(unmoved) } else { unmoved }
+    let line = Rebased { scale, ..Rebased::unchanged(origin, direction) };
+    if !is_far(origin, direction) {
+        return line;
+    }
+    let ([ox, oy, oz], [dx, dy, dz]) = (origin, direction);
+    let offset = -nearest(ox, oy, oz, dx, dy, dz);
+    let origin = [shifted(ox, offset, dx), shifted(oy, offset, dy), shifted(oz, offset, dz)];
+    if origin.into_iter().all(S::is_finite) { Rebased { origin, offset, ..line } } else { line }
 }
 
 /// Whether the line comes 256 times nearer to (0, 0, 0) than its origin is.
@@ -52,15 +59,15 @@ fn is_far<S: Float>(origin: [S; 3], direction: [S; 3]) -> bool {
     along * along > S::dot(origin, origin) * S::dot(direction, direction) * part
 }
 
-#[inline]
-fn moved<S: Float>(line: Rebased<S>) -> Rebased<S> {
-    let Rebased { origin: [ox, oy, oz], direction, .. } = line;
-    let [dx, dy, dz] = direction;
-    let offset = -(S::dot3(line.origin, direction) / S::dot(direction, direction));
-    let origin = [
-        S::add_product(ox, offset, dx),
-        S::add_product(oy, offset, dy),
-        S::add_product(oz, offset, dz),
-    ];
-    if origin.into_iter().all(S::is_finite) { Rebased { origin, offset, ..line } } else { line }
+/// The parameter of the point nearest to (0, 0, 0), as well as its neighbours are known.
+#[inline(never)]
+fn nearest<S: Float>(ox: S, oy: S, oz: S, dx: S, dy: S, dz: S) -> S {
+    let (origin, direction) = ([ox, oy, oz], [dx, dy, dz]);
+    S::dot3(origin, direction) / S::dot(direction, direction)
+}
+
+/// A coordinate after `offset`.
+#[inline(never)]
+fn shifted<S: Float>(origin: S, offset: S, direction: S) -> S {
+    S::add_product(origin, offset, direction)
 }
