@@ -42,6 +42,15 @@ fn cylinder_ray_and_query<S: Scene>(bencher: Bencher<'_, '_>) {
     });
 }
 
+/// A ray made ready at a cylinder: the query alone.
+#[divan::bench(types = [f32, f64, I16F16])]
+fn cylinder_query<S: Scene>(bencher: Bencher<'_, '_>) {
+    let [cylinder, ..] = S::BODY;
+    let ray = Ray::new(vector::<S>([300, 400, 500]), vector([-50, -70, -90])).unwrap();
+    let mut list = SpanList::<S, 1>::new();
+    bencher.bench_local(|| cylinder.trace(black_box(&ray), &mut list).len());
+}
+
 /// A prepared line at the whole part: ten cylinders and their merge.
 #[divan::bench(types = [f32, f64, I16F16])]
 fn tee_line<S: Scene>(bencher: Bencher<'_, '_>) {

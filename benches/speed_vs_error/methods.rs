@@ -200,6 +200,8 @@ macro_rules! shipped {
             Some((Ray::new(vec3(ox, oy, oz), vec3(dx, dy, dz)).ok()?, cylinder))
         }
 
+        // Always, as `trace` itself: a ray that has just been made stays in registers.
+        #[inline(always)]
         fn $spans(ray: &Ray<$Scalar>, cylinder: &Cylinder<$Scalar>) -> Option<[$Scalar; 2]> {
             let mut list = SpanList::<$Scalar, 1>::new();
             cylinder.trace(ray, &mut list).first().map(|span| [span.enter.t, span.exit.t])

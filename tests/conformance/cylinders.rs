@@ -221,7 +221,8 @@ fn wall_normals_all_around<S: Tested>() {
     }
 }
 
-/// A direction of another length gives other parameters, and the same everything else.
+/// A formula that takes |d| for 1, as 1 − dx² for |d × axis|² does, is wrong by |d|². A direction of another
+/// length gives other parameters, and the same everything else.
 fn unnormalised_directions_scale_t_only<S: Tested>() {
     let [origin, way]: [[f64; 3]; 2] = [[6.0, 3.0, 8.0], [-0.75, 0.125, -1.0]];
     let one = hit::<S>(origin, way).unwrap();

@@ -15,6 +15,7 @@ for_every_number!(
     from_a_point_on_a_surface,
     a_tangent_has_one_root,
     one_can_look_through_a_flush_hole,
+    wall_and_cap_a_unit_apart,
 );
 
 /// |o|² − r² loses digits of r with every factor of the distance, and b² − 4ac with it; the
@@ -128,4 +129,26 @@ fn one_can_look_through_a_flush_hole<S: Tested>() {
     assert_eq!(spans(&pipe, &ray([-5.0, 0.5, 0.25], [1.0, 0.0, 0.0])), []);
     assert_eq!(spans(&pipe, &ray([-5.0, 0.5, 0.25], [1.0, 0.0, 0.1])), []);
     assert_eq!(spans(&pipe, &ray([-5.0, 1.5, 0.0], [1.0, 0.0, 0.0])), [(4.0, 6.0)]);
+}
+
+/// Past the rim by one unit, on either side of it: where wall and cap are tested one by one, each with a
+/// rounded point, both may let the ray pass, or both may count.
+fn wall_and_cap_a_unit_apart<S: Tested>() {
+    let rod = rod::<S>(1.0, -2.0, 2.0);
+    for [toward_x, toward_y] in [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]] {
+        // Down at 45° through the rim at (±2, ±1), where both t are 1, from points in units of the rim's.
+        let way = [-toward_x, -toward_y, 0.0];
+        let through = |x: f64| ray::<S>([toward_x * x, toward_y * 2.0, 0.0], way);
+        assert_eq!(spans(&rod, &through(3.0)), [(1.0, 3.0)], "through the rim");
+        // By the next number farther out or in, the cap or the wall is crossed later, by as much.
+        let (out, within) = (S::near(3.0).up().to_f64(), S::near(3.0).down().to_f64());
+        assert_eq!(spans(&rod, &through(out)), [(out - 2.0, 3.0)], "through the cap");
+        assert_eq!(spans(&rod, &through(within)), [(1.0, 3.0)], "through the wall");
+        // Across the corner outside: touches the rim, or is inside for a unit or less.
+        let beside = |x: f64| ray::<S>([toward_x * x, 0.0, 0.0], [-toward_x, toward_y, 0.0]);
+        assert_eq!(spans(&rod, &beside(3.0)), [], "touches the rim");
+        assert_eq!(spans(&rod, &beside(out)), [], "passes it by");
+        let [(enter, exit)] = spans(&rod, &beside(within))[..] else { panic!("a miss by a unit") };
+        assert_eq!((enter, exit), (within - 2.0, 1.0));
+    }
 }

@@ -10,9 +10,6 @@ use crate::solid::cylinder::{Cylinder, Tube};
 
 /// What plain sums say about a line and a cylinder along a coordinate axis.
 pub(super) struct Aligned<S> {
-    /// The line's origin and the axis, in the two coordinates across the axis, and their difference.
-    origin: [S; 2],
-    base: [S; 2],
     q: [S; 2],
     m: [S; 2],
     a: S,
@@ -49,8 +46,6 @@ impl<S: Float> Aligned<S> {
     fn of(normal: S, height: S, rise: S, origin: [S; 2], m: [S; 2], base: [S; 2]) -> Self {
         let q = [origin[0] - base[0], origin[1] - base[1]];
         Self {
-            origin,
-            base,
             q,
             m,
             a: m[0] * m[0] + m[1] * m[1],
@@ -69,8 +64,9 @@ impl<S: Float> Aligned<S> {
     /// √D·s > r²a/2 holds the error of D, a few units of r²a, to a few units of s when it reaches s
     /// divided by 2√D.
     #[inline(always)]
-    pub(super) fn meet_clearly(&self, radius: S) -> Clear<S> {
-        let Self { origin, base, q, m, a, b, k, .. } = *self;
+    pub(super) fn meet_clearly(&self, cylinder: &Cylinder<S>, line: &Line<S>) -> Clear<S> {
+        let radius = cylinder.tube.radius;
+        let Self { q, m, a, b, k, .. } = *self;
         let radius_squared = radius * radius;
         let (largest, square) = (radius_squared * a, k * k);
         let discriminant = largest - square;
@@ -81,7 +77,7 @@ impl<S: Float> Aligned<S> {
             let c = if c > radius_squared {
                 c
             } else if b != S::ZERO && is_precise() {
-                gap(origin[0], origin[1], base[0], base[1], radius)
+                gap(cylinder, &{ *line })
             } else {
                 return Clear::Not;
             };
@@ -101,11 +97,14 @@ impl<S: Float> Aligned<S> {
 }
 
 /// c = |q|² − r², compensated.
-// A function with numbers for arguments: see `cut`.
+#[cold]
 #[inline(never)]
-fn gap<S: Float>(origin_0: S, origin_1: S, base_0: S, base_1: S, radius: S) -> S {
-    let q = [Double::sum(origin_0, -base_0), Double::sum(origin_1, -base_1)];
-    squared_less_square(q, radius)
+fn gap<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> S {
+    let Cylinder { tube, caps } = cylinder;
+    // Asked for of cylinders along coordinate axes only.
+    let along = caps.normal.along().unwrap_or(Axis::X);
+    let [[_, o @ ..], [_, base @ ..]] = [line.origin, tube.base].map(|v| along.turned(v));
+    squared_less_square([Double::sum(o[0], -base[0]), Double::sum(o[1], -base[1])], tube.radius)
 }
 
 impl<S: Float> Tube<S> {
@@ -118,13 +117,9 @@ impl<S: Float> Tube<S> {
         let [q0, q1] = q;
         let radius_squared = Double::product(self.radius, self.radius);
         let c = S::square_less(q0.high, radius_squared.high) + q1.high * q1.high;
-        let (b, c) = if c > radius_squared.high {
-            (q0.high * m[0] + q1.high * m[1], c)
-        } else {
-            let b = Double::product(q0.high, m[0]).plus_roughly(Double::product(q1.high, m[1]));
-            let b = b.high + (b.low + (q0.low * m[0] + q1.low * m[1]));
-            (b, squared_less_square(q, self.radius))
-        };
+        let c = if c > radius_squared.high { c } else { squared_less_square(q, self.radius) };
+        let b = Double::product(q0.high, m[0]).plus_roughly(Double::product(q1.high, m[1]));
+        let b = b.high + (b.low + (q0.low * m[0] + q1.low * m[1]));
         let a = Double::product(m[0], m[0]).plus_roughly(Double::product(m[1], m[1]));
         if a.high <= S::ZERO {
             return Self::parallel(c);

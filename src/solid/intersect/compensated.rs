@@ -36,9 +36,9 @@ impl<S: Float> Tube<S> {
 // get a copy. Written to memory in pieces and read as a whole, it would wait for the writes.
 #[inline(always)]
 fn cut<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> Option<Span<S>> {
-    let Cylinder { tube, caps } = cylinder;
+    let caps = &cylinder.caps;
     let ((at_zero, speed), clear) = match Aligned::new(cylinder, line) {
-        Some(aligned) => ((aligned.at_zero, aligned.speed), aligned.meet_clearly(tube.radius)),
+        Some(aligned) => ((aligned.at_zero, aligned.speed), aligned.meet_clearly(cylinder, line)),
         None => (heights(cylinder, &{ *line }), Clear::Not),
     };
     let inside = match clear {
@@ -61,6 +61,7 @@ fn cut<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> Option<Span<S>> {
 }
 
 /// How high a line is above the plane through the scene's origin at t = 0, and how it rises.
+#[cold]
 #[inline(never)]
 fn heights<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> (S, S) {
     let normal = &cylinder.caps.normal;
@@ -68,6 +69,7 @@ fn heights<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> (S, S) {
 }
 
 /// Where a line is inside the wall, wherever it starts and however near to a tangent it is.
+#[cold]
 #[inline(never)]
 fn meet<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> Inside<S> {
     let Cylinder { tube, caps } = cylinder;
