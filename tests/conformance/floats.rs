@@ -24,6 +24,7 @@ for_every_float!(
     powers_of_two_scale_t_exactly,
     enormous_and_minute_factors,
     subnormal_and_enormous_directions,
+    along_the_caps_by_either_zero,
     the_ends_of_the_range,
 );
 
@@ -123,6 +124,33 @@ fn subnormal_and_enormous_directions<S: Float>() {
     let beside =
         Ray::new(vec3(tiny, tiny, S::near(5.0)), vec3(tiny, S::ZERO, S::ONE.negated())).unwrap();
     assert_eq!(spans(&rod, &beside), [(4.0, 6.0)]);
+}
+
+/// A quotient by −0 has the other sign than one by 0, and both are infinite, or no number in a cap's
+/// plane: the ends of a slab come in the wrong order, or not at all.
+fn along_the_caps_by_either_zero<S: Float>() {
+    let rods = [
+        rod::<S>(5.0, -2.0, 2.0),
+        S::between(vector([-2.0, 0.0, 0.0]), vector([2.0, 0.0, 0.0]), S::near(5.0)).unwrap(),
+        S::between(vector([2.0, 0.0, 0.0]), vector([-2.0, 0.0, 0.0]), S::near(5.0)).unwrap(),
+    ];
+    for (x, is_inside) in [
+        (-3.0, false),
+        (-2.0, true),
+        (-1.0, true),
+        (0.0, true),
+        (1.0, true),
+        (2.0, false),
+        (3.0, false),
+    ] {
+        for zero in [S::ZERO, S::ZERO.negated()] {
+            let down = Ray::new(vector([x, 9.0, 0.0]), vec3(zero, S::ONE.negated(), zero)).unwrap();
+            let want = if is_inside { vec![(4.0, 14.0)] } else { vec![] };
+            for rod in &rods {
+                assert_eq!(spans(rod, &down), want, "{x} {zero:?}");
+            }
+        }
+    }
 }
 
 /// Numbers whose squares or inverses would overflow.
