@@ -101,10 +101,16 @@ impl<S: Float> Aligned<S> {
 #[inline(never)]
 fn gap<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> S {
     let Cylinder { tube, caps } = cylinder;
-    // Asked for of cylinders along coordinate axes only.
-    let along = caps.normal.along().unwrap_or(Axis::X);
-    let [[_, o @ ..], [_, base @ ..]] = [line.origin, tube.base].map(|v| along.turned(v));
-    squared_less_square([Double::sum(o[0], -base[0]), Double::sum(o[1], -base[1])], tube.radius)
+    let (o, base) = (&line.origin, &tube.base);
+    // References: a line that was just written in pieces must be read in the same pieces, or waits for
+    // the writes.
+    let [[o0, base0], [o1, base1]] = match caps.normal.along() {
+        Some(Axis::Y) => [[&o.x, &base.x], [&o.z, &base.z]],
+        Some(Axis::Z) => [[&o.y, &base.y], [&o.x, &base.x]],
+        // Not asked for along other axes than those of coordinates.
+        Some(Axis::X) | None => [[&o.y, &base.y], [&o.z, &base.z]],
+    };
+    squared_less_square([Double::sum(*o0, -*base0), Double::sum(*o1, -*base1)], tube.radius)
 }
 
 impl<S: Float> Tube<S> {
