@@ -4,7 +4,7 @@
 //! Here q and m are two coordinates of u and d, turned by 90°.
 
 use super::compensated::Inside;
-use crate::geom::{Axis, Line};
+use crate::geom::{Axis, Line, Vec3};
 use crate::scalar::{Double, Float, two_sum};
 use crate::solid::cylinder::{Cylinder, Tube};
 
@@ -101,16 +101,18 @@ impl<S: Float> Aligned<S> {
 #[inline(never)]
 fn gap<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> S {
     let Cylinder { tube, caps } = cylinder;
-    let (o, base) = (&line.origin, &tube.base);
-    // References: a line that was just written in pieces must be read in the same pieces, or waits for
-    // the writes.
-    let [[o0, base0], [o1, base1]] = match caps.normal.along() {
-        Some(Axis::Y) => [[&o.x, &base.x], [&o.z, &base.z]],
-        Some(Axis::Z) => [[&o.y, &base.y], [&o.x, &base.x]],
-        // Not asked for along other axes than those of coordinates.
-        Some(Axis::X) | None => [[&o.y, &base.y], [&o.z, &base.z]],
-    };
+    // Not asked for along other axes than those of coordinates.
+    let Some(axis) = caps.normal.along() else { return S::ZERO };
+    let [[o0, o1], [base0, base1]] = [&line.origin, &tube.base].map(|v| across(axis, v));
     squared_less_square([Double::sum(*o0, -*base0), Double::sum(*o1, -*base1)], tube.radius)
+}
+
+/// The coordinates across an axis, in the order of [`Aligned`]; in their places, because a line that was
+/// just written in pieces must be read in the same pieces, or waits for the writes.
+#[inline(always)]
+pub(super) fn across<S>(axis: Axis, v: &Vec3<S>) -> [&S; 2] {
+    let [_, first, second] = axis.turned(Vec3 { x: &v.x, y: &v.y, z: &v.z });
+    [first, second]
 }
 
 impl<S: Float> Tube<S> {

@@ -9,7 +9,7 @@
 //! The axis is never normalised away, and `|d × axis|²` is never 1 − d²: a line along the axis
 //! gives m = 0 exactly.
 
-use super::aligned::{Aligned, Clear};
+use super::aligned::{Aligned, Clear, across};
 use super::{Intersect, Passage};
 use crate::geom::{Line, Vec3};
 use crate::scalar::Float;
@@ -73,10 +73,10 @@ fn heights<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> (S, S) {
 #[inline(never)]
 fn meet<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> Inside<S> {
     let Cylinder { tube, caps } = cylinder;
-    let Some(along) = caps.normal.along() else { return tube.meet_obliquely(&caps.normal, line) };
-    let [[_, o @ ..], [_, base @ ..], [_, m @ ..]] =
-        [line.origin, tube.base, line.direction].map(|v| along.turned(v));
-    tube.meet_carefully(o, base, m)
+    let Some(axis) = caps.normal.along() else { return tube.meet_obliquely(&caps.normal, line) };
+    let [[o0, o1], [base0, base1], [m0, m1]] =
+        [&line.origin, &tube.base, &line.direction].map(|v| across(axis, v));
+    tube.meet_carefully([*o0, *o1], [*base0, *base1], [*m0, *m1])
 }
 
 /// Where the wall is crossed; a tangent too, which has no span, and whose part between the caps has
