@@ -110,7 +110,7 @@ where
     let camera = S::orthographic().unwrap();
     let size = Size::new(SIZE.0, SIZE.1).unwrap();
     let tee = S::TEE;
-    let picture = Picture::new(&tee, &camera, size, light::<S>(), Gray8(0));
+    let mut picture = Picture::new(&tee, &camera, size, light::<S>(), Gray8(0));
     let mut pixels = [Gray8(0); SIZE.0 as usize];
     bencher.counter(ItemsCount::new(SIZE.0)).bench_local(|| {
         picture.scanline(black_box(60)).and_then(|mut row| row.render(&mut pixels))
@@ -130,8 +130,8 @@ where
     macro_rules! frames {
         ($camera:expr) => {
             bencher.bench_local(|| {
-                let picture = Picture::new(&tee, black_box(&$camera), size, light::<S>(), Gray8(0));
-                picture.scanlines().try_for_each(|mut row| row.render(&mut pixels))
+                let mut picture = Picture::new(&tee, black_box(&$camera), size, light::<S>(), Gray8(0));
+                (0..SIZE.1).try_for_each(|y| picture.scanline(y)?.render(&mut pixels))
             })
         };
     }
@@ -147,7 +147,7 @@ fn packet(bencher: Bencher<'_, '_>, which: &str) {
     let camera = scene::f32::orthographic().unwrap();
     let light = Lambert::new(scene::f32::TO_LIGHT, 0.15).unwrap();
     let size = Size::new(SIZE.0, SIZE.1).unwrap();
-    let picture = Picture::new(&scene::f32::TEE, &camera, size, light, Gray8(0));
+    let mut picture = Picture::new(&scene::f32::TEE, &camera, size, light, Gray8(0));
     let mut pixels = [Gray8(0); SIZE.0 as usize];
     picture.scanline(60).unwrap().render(&mut pixels).unwrap();
     let mut packet = [0; PACKET];

@@ -21,12 +21,12 @@
 //!     2.2,                 // units from the upper to the lower edge
 //! )?;
 //! let light = Lambert::new(vec3(-1.0, 2.0, 1.0), 0.2)?;
-//! let picture = Picture::new(&bead, &camera, Size::new(12, 12)?, light, Gray8(0));
+//! let mut picture = Picture::new(&bead, &camera, Size::new(12, 12)?, light, Gray8(0));
 //!
 //! let mut row = [Gray8(0); 12];
 //! let mut art = Vec::new();
-//! for mut scanline in picture.scanlines() {
-//!     scanline.render(&mut row)?;
+//! for y in 0..12 {
+//!     picture.scanline(y)?.render(&mut row)?;
 //!     let dots = row.iter().map(|pixel| char::from(b".:-=+*#%@"[usize::from(pixel.0) / 30]));
 //!     art.push(dots.collect::<String>());
 //! }

@@ -61,11 +61,12 @@ fn rows_that_are_not_there_and_slices_that_do_not_fit() {
     let camera =
         Orthographic::look_along(vec3(0.0f32, 0.0, -1.0), Vec3::ZERO, vec3(0.0, 1.0, 0.0), 6.0);
     let shader = XRay::new(1.0).unwrap();
-    let picture = Picture::new(&PART, &camera.unwrap(), SIZE, shader, Gray8(17));
+    let mut picture = Picture::new(&PART, &camera.unwrap(), SIZE, shader, Gray8(17));
     for y in [5, 6, u16::MAX] {
         assert_eq!(picture.scanline(y).err(), Some(RowError::Index), "{y}");
     }
-    for mut scanline in (0..5).map(|y| picture.scanline(y).unwrap()) {
+    for y in 0..5 {
+        let mut scanline = picture.scanline(y).unwrap();
         for length in [0, 1, 6, 8, 100] {
             let mut pixels = vec![Gray8(99); length];
             assert_eq!(scanline.render(&mut pixels), Err(RowError::Length));
@@ -94,7 +95,7 @@ fn a_run_from_elsewhere() {
     let camera =
         Orthographic::look_along(vec3(0.0f32, 0.0, -1.0), Vec3::ZERO, vec3(0.0, 1.0, 0.0), 6.0);
     let shader = XRay::new(1.0).unwrap();
-    let picture = Picture::new(&PART, &camera.unwrap(), SIZE, shader, Gray8(17));
+    let mut picture = Picture::new(&PART, &camera.unwrap(), SIZE, shader, Gray8(17));
     let mut scanline = picture.scanline(2).unwrap();
     let mut list = SpanList::<f32, { Part::STACK }>::new();
     let beyond = Run { columns: 65_530..u16::MAX, is_background: false };

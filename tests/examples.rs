@@ -55,11 +55,11 @@ fn rendered(width: u16, height: u16) -> Vec<Gray8> {
     let camera = scene::f32::orthographic().unwrap();
     let light = Lambert::new(scene::f32::TO_LIGHT, 0.15).unwrap();
     let size = Size::new(width, height).unwrap();
-    let picture = Picture::new(&scene::f32::TEE, &camera, size, light, Gray8(0));
+    let mut picture = Picture::new(&scene::f32::TEE, &camera, size, light, Gray8(0));
     let mut row = vec![Gray8(0); usize::from(width)];
     let mut pixels = Vec::new();
-    for mut scanline in picture.scanlines() {
-        scanline.render(&mut row).unwrap();
+    for y in 0..height {
+        picture.scanline(y).unwrap().render(&mut row).unwrap();
         pixels.extend_from_slice(&row);
     }
     pixels

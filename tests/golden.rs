@@ -28,13 +28,13 @@ where
     H: Shader<S>,
 {
     let size = Size::new(width, height).unwrap();
-    let picture = Picture::new(part, camera, size, shader, Gray8(0));
+    let mut picture = Picture::new(part, camera, size, shader, Gray8(0));
     let mut row = vec![Gray8(0); width.into()];
-    let render = |mut scanline: scancsg::render::Scanline<'_, '_, _, _, _, _>| {
-        scanline.render(&mut row).unwrap();
+    let render = |y| {
+        picture.scanline(y).unwrap().render(&mut row).unwrap();
         row.iter().map(|pixel| pixel.0).collect()
     };
-    picture.scanlines().map(render).collect()
+    (0..height).map(render).collect()
 }
 
 /// One character a pixel, ten shades, background blank.

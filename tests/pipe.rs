@@ -337,9 +337,10 @@ where
     T: Solid<Scalar = S> + Project<C::Rays>,
 {
     let size = Size::new(64, 48).unwrap();
-    let picture = Picture::new(solid, camera, size, XRay::new(S::ONE).unwrap(), Gray8(0));
+    let mut picture = Picture::new(solid, camera, size, XRay::new(S::ONE).unwrap(), Gray8(0));
     let mut seen = Vec::new();
-    for mut line in picture.scanlines() {
+    for y in 0..48 {
+        let mut line = picture.scanline(y).unwrap();
         seen.extend((0..64).map(|x| line.seen(x).map(|seen| seen.t.to_f64())));
     }
     seen

@@ -128,7 +128,7 @@ macro_rules! frames {
         extern "C" fn $row(y: u32) {
             let (Ok(camera), Some(light)) = (Number::$camera(), light()) else { return };
             let Ok(size) = Size::new(WIDTH, HEIGHT) else { return };
-            let picture = Picture::new(&TEE, black_box(&camera), size, light, Gray8(0));
+            let mut picture = Picture::new(&TEE, black_box(&camera), size, light, Gray8(0));
             let mut pixels = [Gray8(0); WIDTH as usize];
             let _ = picture.scanline(y as u16).and_then(|mut row| row.render(&mut pixels));
             black_box(&pixels);

@@ -54,7 +54,7 @@ const PATIENCE: u32 = 3;
 /// Sends one frame, and then renders again whatever was lost on the way, until the other end has
 /// everything. `pixels` is the memory for one row.
 pub fn send_frame<T, R, H, P, L, const N: usize>(
-    picture: &Picture<'_, T, R, H, P>,
+    picture: &mut Picture<'_, T, R, H, P>,
     frame: u16,
     sender: &mut Sender<L, N>,
     pixels: &mut [P],
@@ -73,9 +73,9 @@ where
         height: size.height(),
         format: P::FORMAT,
     })?;
-    for mut scanline in picture.scanlines() {
-        scanline.render(pixels)?;
-        sender.row(scanline.y(), pixels)?;
+    for y in 0..size.height() {
+        picture.scanline(y)?.render(pixels)?;
+        sender.row(y, pixels)?;
     }
     sender.end()?;
 

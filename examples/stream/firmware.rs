@@ -99,13 +99,13 @@ fn send(line: impl Line<Error = ErrorKind>) -> Result<(), Failure> {
     let camera = Number::orthographic().map_err(Failure::Camera)?;
     let light = Lambert::new(Number::TO_LIGHT, Number::hundredths(15)).map_err(Failure::Light)?;
     let size = Size::new(WIDTH, HEIGHT).map_err(Failure::Size)?;
-    let picture = Picture::new(&TEE, &camera, size, light, Gray8(0));
+    let mut picture = Picture::new(&TEE, &camera, size, light, Gray8(0));
     let mut pixels = [Gray8(0); WIDTH as usize];
     let mut sender = Sender::<_, PACKET>::new(line);
     let mut outcome = Err(Failure::Unheard);
     for frame in 0..FRAMES {
         let before = sender.bytes_sent();
-        let delivery = send_frame(&picture, frame, &mut sender, &mut pixels);
+        let delivery = send_frame(&mut picture, frame, &mut sender, &mut pixels);
         let bytes = sender.bytes_sent().wrapping_sub(before);
         let failure = match delivery {
             Ok(Delivery::Acknowledged { repairs }) => {

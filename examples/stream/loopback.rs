@@ -351,8 +351,8 @@ where
             Path::Orbit => 0.0,
         };
         let turned = Placed::new(part, Pose::rotation_y(S::nearest(TAU * turns)));
-        let picture = Picture::new(&turned, &camera(frame)?, size, shader, background);
-        let delivery = device::send_frame(&picture, frame, &mut sender, &mut pixels)
+        let mut picture = Picture::new(&turned, &camera(frame)?, size, shader, background);
+        let delivery = device::send_frame(&mut picture, frame, &mut sender, &mut pixels)
             .map_err(|error| describe_error(&error))?;
         unheard += u32::from(delivery == Delivery::Unheard);
         sent(frame);

@@ -9,7 +9,8 @@ use core::ops::Range;
 
 /// A solid, looked at by a camera, ready to be rendered row by row in any order.
 ///
-/// It holds what the camera decides about every primitive, and no pixels.
+/// It holds what the camera decides about every primitive, what the present row does, and no
+/// pixels: all the memory that rendering needs besides the caller's row.
 ///
 /// ```
 /// use scancsg::geom::vec3;
@@ -27,10 +28,10 @@ use core::ops::Range;
 /// let light = Lambert::new(vec3(0.2, 1.0, 0.5), 0.1)?;
 /// let size = Size::new(32, 24)?;
 ///
-/// let picture = Picture::new(&part, &camera, size, light, Gray8(0));
+/// let mut picture = Picture::new(&part, &camera, size, light, Gray8(0));
 /// let mut pixels = [Gray8(0); 32];
-/// for mut scanline in picture.scanlines() {
-///     scanline.render(&mut pixels)?;
+/// for y in 0..size.height() {
+///     picture.scanline(y)?.render(&mut pixels)?;
 ///     // Send the pixels, show them, or count them.
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -38,6 +39,7 @@ use core::ops::Range;
 pub struct Picture<'a, T: Project<R>, R: Rays, H, P> {
     solid: &'a T,
     view: T::View,
+    row: T::Row,
     rays: R,
     /// Just before what the camera sees.
     before: R::Scalar,
@@ -70,6 +72,8 @@ where
     P: Pixel,
 {
     /// Gets ready to render `solid`, with `background` where no surface is seen.
+    // Always inline, so that it is made where it stays and not copied: it's large.
+    #[inline(always)]
     pub fn new<C: Camera<Rays = R>>(
         solid: &'a T,
         camera: &C,
@@ -81,6 +85,7 @@ where
         let mut picture = Self {
             solid,
             view: T::View::BLANK,
+            row: T::Row::BLANK,
             rays,
             before: rays.start().next_below(),
             size,
@@ -97,25 +102,18 @@ where
         self.size
     }
 
-    /// Row `y`, counted from the top.
+    /// Row `y`, counted from the top. Rows may be rendered in any order, and again.
     ///
     /// # Errors
     /// [`RowError::Index`].
-    pub fn scanline(&self, y: u16) -> Result<Scanline<'_, 'a, T, R, H, P>, RowError> {
-        if y < self.size.height() { Ok(self.prepare(y)) } else { Err(RowError::Index) }
-    }
-
-    /// All rows from the top to the bottom.
-    pub fn scanlines(&self) -> impl Iterator<Item = Scanline<'_, 'a, T, R, H, P>> {
-        (0..self.size.height()).map(|y| self.prepare(y))
-    }
-
-    fn prepare(&self, y: u16) -> Scanline<'_, 'a, T, R, H, P> {
+    pub fn scanline(&mut self, y: u16) -> Result<Scanline<'_, 'a, T, R, H, P>, RowError> {
+        if y >= self.size.height() {
+            return Err(RowError::Index);
+        }
         let from_middle = from_middle(y, self.size.height());
+        self.solid.row(&self.view, from_middle, &mut self.row);
         let rays = self.rays.row(from_middle);
-        let mut scanline = Scanline { picture: self, y, rays, row: T::Row::BLANK };
-        self.solid.row(&self.view, from_middle, &mut scanline.row);
-        scanline
+        Ok(Scanline { picture: self, y, rays })
     }
 }
 
@@ -136,10 +134,9 @@ pub struct Run {
 
 /// A row of a picture, ready to be rendered as a whole or run by run.
 pub struct Scanline<'p, 'a, T: Project<R>, R: Rays, H, P> {
-    picture: &'p Picture<'a, T, R, H, P>,
+    picture: &'p mut Picture<'a, T, R, H, P>,
     y: u16,
     rays: R::Row,
-    row: T::Row,
 }
 
 impl<T, R, H, P> Scanline<'_, '_, T, R, H, P>
@@ -162,9 +159,9 @@ where
     #[must_use]
     pub fn run(&self, start: u16) -> Option<Run> {
         let width = self.picture.size.width();
-        let Outlook { is_there, mut until } = T::outlook(&self.row, start.into());
+        let Outlook { is_there, mut until } = T::outlook(&self.picture.row, start.into());
         while until < u32::from(width) {
-            let next = T::outlook(&self.row, until);
+            let next = T::outlook(&self.picture.row, until);
             if next.is_there != is_there {
                 break;
             }
@@ -199,11 +196,11 @@ where
         let mut column = u32::from(run.columns.start);
         let mut rest = pixels;
         while !rest.is_empty() {
-            let Outlook { is_there, until } = T::outlook(&self.row, column);
+            let Outlook { is_there, until } = T::outlook(&self.picture.row, column);
             let count = rest.len().min((until - column) as usize);
             let (now, later) = rest.split_at_mut_checked(count).ok_or(RowError::Length)?;
             if is_there && !run.is_background {
-                T::enter(&mut self.row, column);
+                T::enter(&mut self.picture.row, column);
                 let mut x = self.x(column);
                 for pixel in now {
                     *pixel = self.pixel(x);
@@ -236,9 +233,9 @@ where
         let index = u32::from(x);
         let column = Column { index, x: self.x(index) };
         let mut stack = list.stack();
-        if T::outlook(&self.row, index).is_there {
-            let Picture { solid, view, .. } = self.picture;
-            solid.spans_at(view, &self.row, column, Face(0), &mut stack);
+        if T::outlook(&self.picture.row, index).is_there {
+            let Picture { solid, view, row, .. } = &*self.picture;
+            solid.spans_at(view, row, column, Face(0), &mut stack);
         }
         list.as_slice()
     }
@@ -246,29 +243,27 @@ where
     /// The surface that column `x` sees, if any; its parameter as in [`spans`](Self::spans).
     pub fn seen(&mut self, x: u16) -> Option<Seen<R::Scalar>> {
         let column = u32::from(x);
-        if !T::outlook(&self.row, column).is_there {
+        if !T::outlook(&self.picture.row, column).is_there {
             return None;
         }
-        T::enter(&mut self.row, column);
+        T::enter(&mut self.picture.row, column);
         self.seen_at(self.x(column))
     }
 
     #[inline]
     fn seen_at(&mut self, x: i32) -> Option<Seen<R::Scalar>> {
-        let Picture { solid, view, before, .. } = self.picture;
+        let Picture { solid, view, row, before, .. } = &mut *self.picture;
         let Look { inside, next: Crossing { t, face } } =
-            solid.look(view, &mut self.row, x, *before, Face(0));
+            solid.look(view, row, x, *before, Face(0));
         (t < R::Scalar::HIGHEST).then_some(Seen { t, face, inside })
     }
 
     #[inline]
     fn pixel(&mut self, x: i32) -> P {
-        let Picture { solid, shader, background, .. } = self.picture;
-        let Some(seen) = self.seen_at(x) else { return *background };
+        let Some(seen) = self.seen_at(x) else { return self.picture.background };
+        let Picture { solid, view, row, rays: camera, shader, .. } = &mut *self.picture;
         let color = solid.color(seen.face).unwrap_or(Rgb::WHITE);
-        let Picture { view, rays: camera, .. } = self.picture;
-        let Self { rays, row, .. } = self;
-        let sample = Sample { solid: *solid, view, row, camera, rays, x, seen };
+        let sample = Sample { solid: *solid, view, row, camera, rays: &self.rays, x, seen };
         P::shaded(color, shader.level(sample))
     }
 }

@@ -383,7 +383,7 @@ where
         Anything: Project<C::Rays, Scalar = S>,
     {
         let size = Size::new(width, height).unwrap();
-        let picture = Picture::new(solid, camera, size, shader, Gray8(7));
+        let mut picture = Picture::new(solid, camera, size, shader, Gray8(7));
         let mut list = SpanList::<S, 16>::new();
         for y in [0, height / 2, height - 1] {
             let mut scanline = picture.scanline(y).unwrap();

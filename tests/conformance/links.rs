@@ -23,14 +23,15 @@ fn over_the_line<S: Tested, P: Pixel + std::fmt::Debug>(shader: impl Shader<S> +
     let camera = Orthographic::look_at(eye, Vec3::ZERO, up, S::near(2.5)).unwrap();
     let size = Size::new(WIDTH, HEIGHT).unwrap();
     let black = P::shaded(Rgb::WHITE, 0);
-    let picture = Picture::new(&part, &camera, size, shader, black);
+    let mut picture = Picture::new(&part, &camera, size, shader, black);
     let mut row = [black; WIDTH as usize];
     let mut rendered = Vec::new();
 
     let mut sender = Sender::<Vec<u8>, CAPACITY>::new(Vec::new());
     let header = FrameHeader { frame: 3, width: WIDTH, height: HEIGHT, format: P::FORMAT };
     sender.begin(header).unwrap();
-    for mut scanline in picture.scanlines() {
+    for y in 0..HEIGHT {
+        let mut scanline = picture.scanline(y).unwrap();
         scanline.render(&mut row).unwrap();
         sender.row(scanline.y(), &row).unwrap();
         rendered.extend(row.iter().flat_map(|pixel| pixel.to_le_bytes().as_ref().to_vec()));

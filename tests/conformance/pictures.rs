@@ -91,9 +91,10 @@ where
 {
     let [width, height] = size;
     let shader = XRay::new(S::ONE).unwrap();
-    let picture = Picture::new(solid, camera, Size::new(width, height).unwrap(), shader, Gray8(0));
+    let mut picture = Picture::new(solid, camera, Size::new(width, height).unwrap(), shader, Gray8(0));
     let mut found = Found::default();
-    for mut scanline in picture.scanlines() {
+    for y in 0..height {
+        let mut scanline = picture.scanline(y).unwrap();
         for x in 0..width {
             let pixel = [x, scanline.y()];
             let got = scanline.seen(x).map(|seen| seen.t.to_f64());
@@ -266,11 +267,12 @@ pub fn check_tee_in<S: Tested>() {
 fn tee_covers_41937_pixels() {
     let camera = scene::f32::orthographic().unwrap();
     let size = Size::new(320, 240).unwrap();
-    let picture = Picture::new(&scene::f32::TEE, &camera, size, XRay::new(1.0).unwrap(), Gray8(0));
-    let covered: usize = picture
-        .scanlines()
-        .map(|mut row| (0..320).filter(|&x| row.seen(x).is_some()).count())
-        .sum();
+    let mut picture = Picture::new(&scene::f32::TEE, &camera, size, XRay::new(1.0).unwrap(), Gray8(0));
+    let mut covered = 0;
+    for y in 0..240 {
+        let mut row = picture.scanline(y).unwrap();
+        covered += (0..320).filter(|&x| row.seen(x).is_some()).count();
+    }
     assert_eq!(covered, 41_937);
 }
 
@@ -454,10 +456,11 @@ where
     let size = [97, 61];
     let solid = scene::f64::TEE;
     let (pixels, shader) = (Size::new(97, 61).unwrap(), XRay::new(1.0).unwrap());
-    let picture = Picture::new(&solid, camera, pixels, shader, Gray8(0));
+    let mut picture = Picture::new(&solid, camera, pixels, shader, Gray8(0));
     let [mut of_row, mut of_ray] = [const { SpanList::<f64, 64>::new() }; 2];
     let mut count = 0;
-    for scanline in picture.scanlines() {
+    for y in 0..61 {
+        let scanline = picture.scanline(y).unwrap();
         for x in 0..97 {
             let ModelRay { origin, direction } = view.ray([x, scanline.y()], size, [0.0; 2]);
             let of = |[x, y, z]: V| vec3(x, y, z);
@@ -515,9 +518,10 @@ fn check_levels_seen<S, C, H>(
     let size = [80, 60];
     let to_byte = |level: f64| (level.clamp(0.0, 1.0) * 255.0).round();
     let of = |ray: &ModelRay| level(model, ray, view.start()).map_or(0.0, to_byte);
-    let picture = Picture::new(solid, camera, Size::new(80, 60).unwrap(), shader, Gray8(0));
+    let mut picture = Picture::new(solid, camera, Size::new(80, 60).unwrap(), shader, Gray8(0));
     let mut row = [Gray8(0); 80];
-    for mut scanline in picture.scanlines() {
+    for y in 0..60 {
+        let mut scanline = picture.scanline(y).unwrap();
         scanline.render(&mut row).unwrap();
         for (x, &Gray8(got)) in (0..).zip(&row) {
             let (pixel, got) = ([x, scanline.y()], f64::from(got));

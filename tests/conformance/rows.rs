@@ -31,10 +31,12 @@ where
     T: Solid<Scalar = S> + Project<C::Rays>,
 {
     let size = Size::new(side, side).unwrap();
-    let picture = Picture::new(solid, camera, size, XRay::new(S::ONE).unwrap(), Gray8(0));
-    picture
-        .scanlines()
-        .map(|mut line| (0..side).map(|x| line.seen(x).is_some()).collect())
+    let mut picture = Picture::new(solid, camera, size, XRay::new(S::ONE).unwrap(), Gray8(0));
+    (0..side)
+        .map(|y| {
+            let mut line = picture.scanline(y).unwrap();
+            (0..side).map(|x| line.seen(x).is_some()).collect()
+        })
         .collect()
 }
 
@@ -82,7 +84,7 @@ fn an_x_ray_begins_at_the_eye<S: Tested>() {
     let eye = vector([0.0, 0.0, 1.0]);
     let camera = Perspective::look_at(eye, Vec3::ZERO, up(), S::near(0.125)).unwrap();
     let size = Size::new(1, 1).unwrap();
-    let picture = Picture::new(&ball, &camera, size, XRay::new(S::near(10.0)).unwrap(), Gray8(0));
+    let mut picture = Picture::new(&ball, &camera, size, XRay::new(S::near(10.0)).unwrap(), Gray8(0));
     let mut pixel = [Gray8(0)];
     picture.scanline(0).unwrap().render(&mut pixel).unwrap();
     // 3 of the ball's 4 units are in front of the eye: 0.3 · 255 is 76.5, rounded either way in
@@ -215,9 +217,10 @@ fn a_row_is_its_runs<S: Tested>() {
     let eye = vector([1.0, 2.0, 5.0]);
     let camera = Perspective::look_at(eye, Vec3::ZERO, up(), S::ONE).unwrap();
     let size = Size::new(41, 30).unwrap();
-    let picture = Picture::new(&part, &camera, size, XRay::new(S::ONE).unwrap(), Gray8(9));
+    let mut picture = Picture::new(&part, &camera, size, XRay::new(S::ONE).unwrap(), Gray8(9));
     let (mut has_background, mut has_part) = (false, false);
-    for mut scanline in picture.scanlines() {
+    for y in 0..30 {
+        let mut scanline = picture.scanline(y).unwrap();
         let [mut whole, mut pieces] = [[Gray8(1); 41], [Gray8(2); 41]];
         scanline.render(&mut whole).unwrap();
         let mut next = 0;

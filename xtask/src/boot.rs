@@ -214,11 +214,12 @@ where
     let camera = S::orthographic().map_err(|error| text(&error))?;
     let light = Lambert::new(S::TO_LIGHT, S::hundredths(15)).map_err(|error| text(&error))?;
     let tee = S::TEE;
-    let picture = Picture::new(&tee, &camera, size, light, Gray8(0));
+    let mut picture = Picture::new(&tee, &camera, size, light, Gray8(0));
     let mut row = vec![Gray8(0); usize::from(size.width())];
     let mut bytes = Vec::new();
-    for mut scanline in picture.scanlines() {
-        scanline.render(&mut row).map_err(|error| text(&error))?;
+    for y in 0..size.height() {
+        let scanline = picture.scanline(y);
+        scanline.and_then(|mut row_of| row_of.render(&mut row)).map_err(|error| text(&error))?;
         bytes.extend(row.iter().map(|pixel| pixel.0));
     }
     Ok(bytes)
