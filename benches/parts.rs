@@ -130,7 +130,8 @@ where
     macro_rules! frames {
         ($camera:expr) => {
             bencher.bench_local(|| {
-                let mut picture = Picture::new(&tee, black_box(&$camera), size, light::<S>(), Gray8(0));
+                let mut picture =
+                    Picture::new(&tee, black_box(&$camera), size, light::<S>(), Gray8(0));
                 (0..SIZE.1).try_for_each(|y| picture.scanline(y)?.render(&mut pixels))
             })
         };

@@ -111,7 +111,8 @@ where
             return Err(RowError::Index);
         }
         let from_middle = from_middle(y, self.size.height());
-        self.solid.row(&self.view, from_middle, &mut self.row);
+        let columns = self.size.width().into();
+        self.solid.row(&self.view, from_middle, columns, &mut self.row);
         let rays = self.rays.row(from_middle);
         Ok(Scanline { picture: self, y, rays })
     }

@@ -139,6 +139,17 @@ impl Real for Fine {
         (self.0 >> Self::FRACTION_BITS) as i32
     }
 
+    #[inline(never)]
+    fn ratio(self, divisor: Self) -> i32 {
+        // Sixteen digits of the divisor are off by 2^-15 at most, and a quotient of 32 bits is
+        // several times as fast as one of 64.
+        let (value, by) = (self.0.unsigned_abs(), divisor.0.unsigned_abs());
+        let shift = 48u32.saturating_sub(by.leading_zeros());
+        let (value, by) = (u32::try_from(value >> shift), (by >> shift) as u32);
+        let size = value.unwrap_or(u32::MAX).checked_div(by).unwrap_or(0).min(i32::MAX as u32);
+        if (self.0 < 0) == (divisor.0 < 0) { size as i32 } else { -(size as i32) }
+    }
+
     /// From 2^−16 on: reciprocals of smaller numbers, times the coordinates of a scene, would
     /// leave the range. As angles, smaller ones count as none.
     #[inline]

@@ -120,6 +120,12 @@ impl<F: Fraction> Scalar for FixedI32<F> {
     const BLUR: Self = Self::from_bits(2);
 
     #[inline]
+    fn uncertainty(_: Fine) -> Fine {
+        // Each of two is rounded to a unit, and so is their sum.
+        Self::from_bits(4).fine()
+    }
+
+    #[inline]
     fn fine(self) -> Fine {
         Fine::from_bits(i64::from(self.to_bits()) << (Fine::FRACTION_BITS - F::BITS))
     }

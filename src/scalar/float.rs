@@ -93,6 +93,11 @@ macro_rules! float {
             }
 
             #[inline]
+            fn ratio(self, divisor: Self) -> i32 {
+                (self / divisor) as i32
+            }
+
+            #[inline]
             fn is_divisor(self) -> bool {
                 (self * self).is_normal()
             }
@@ -168,6 +173,12 @@ macro_rules! float {
             const SHORTEST: Self = 0.0;
             const LONGEST: Self = $Float::MAX;
             const BLUR: Self = 0.0;
+
+            #[inline]
+            fn uncertainty(size: Self) -> Self {
+                // Twice the four units that all sums and products together may be off.
+                size * (8.0 * $Float::EPSILON)
+            }
 
             #[inline]
             fn fine(self) -> Self {

@@ -74,6 +74,10 @@ pub trait Scalar: Number {
     /// point, whose errors are relative, 2 units in fixed point.
     const BLUR: Self;
 
+    /// How far off a length in a pixel may be that is a sum of up to six lengths, `size` together,
+    /// or of two of these, one of them times the column.
+    fn uncertainty(size: Self::Fine) -> Self::Fine;
+
     /// The same number with more digits; exact.
     fn fine(self) -> Self::Fine;
 

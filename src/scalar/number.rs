@@ -100,6 +100,10 @@ pub trait Real:
     /// The largest whole number ≤ `self`, held inside the range of `i32`; 0 for NaN.
     fn floor_to_i32(self) -> i32;
 
+    /// `self / divisor` as a whole number, for a divisor other than 0 and quotients whose size is
+    /// below 2¹⁶: off by less than 3. Larger ones have any size from there on.
+    fn ratio(self, divisor: Self) -> i32;
+
     /// Whether a scene's lengths can be divided by the number: it is finite, and large enough
     /// for its square to have all its digits.
     fn is_divisor(self) -> bool;

@@ -165,9 +165,9 @@ impl<P, O: Rule, L: Project<P>, R: Project<P, Scalar = L::Scalar>> Project<P> fo
         self.right.view(rays, right);
     }
 
-    fn row(&self, (left, right): &Self::View, y: i32, row: &mut Self::Row) {
-        self.left.row(left, y, &mut row.left);
-        self.right.row(right, y, &mut row.right);
+    fn row(&self, (left, right): &Self::View, y: i32, columns: u32, row: &mut Self::Row) {
+        self.left.row(left, y, columns, &mut row.left);
+        self.right.row(right, y, columns, &mut row.right);
     }
 
     fn outlook(row: &Self::Row, column: u32) -> Outlook {

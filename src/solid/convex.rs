@@ -89,19 +89,19 @@ impl<T: Convex> Solid for T {
 }
 
 impl<R: Rays<Scalar = T::Scalar>, T: Convex> Leaf<R> for T {
-    type View = R;
-    type Row = R::Row;
+    type View = Option<R>;
+    type Row = Option<R::Row>;
 
-    fn seen_along(&self, rays: &R) -> R {
-        *rays
+    fn seen_along(&self, rays: &R) -> Self::View {
+        Some(*rays)
     }
 
-    fn in_row(&self, rays: &R, y: i32) -> (R::Row, Extent) {
-        (rays.row(y), Extent::all(rays.columns()))
+    fn in_row(&self, rays: &Self::View, y: i32, columns: u32) -> (Self::Row, Extent) {
+        (rays.as_ref().map(|rays| rays.row(y)), Extent::all(columns))
     }
 
-    fn span(&self, _: &R, row: &R::Row, x: i32) -> Option<Span<T::Scalar>> {
-        Convex::span(self, &row.line(x)).and_then(Span::checked)
+    fn span(&self, _: &Self::View, row: &Self::Row, x: i32) -> Option<Span<T::Scalar>> {
+        Convex::span(self, &row.as_ref()?.line(x)).and_then(Span::checked)
     }
 }
 

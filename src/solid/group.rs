@@ -95,8 +95,8 @@ macro_rules! project_as_group {
                 }
             }
 
-            fn row(&self, view: &Self::View, y: i32, row: &mut Self::Row) {
-                row.set::<P, T>(self.$items(), view, y);
+            fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) {
+                row.set::<P, T>(self.$items(), view, y, columns);
             }
 
             fn outlook(row: &Self::Row, column: u32) -> $crate::solid::Outlook {
@@ -171,12 +171,13 @@ impl<R, const N: usize> GroupRow<R, N> {
         solids: &[T],
         views: &[T::View],
         y: i32,
+        columns: u32,
     ) {
         self.in_row = 0;
         for ((index, solid), (view, element)) in
             (0..).zip(solids).zip(views.iter().zip(&mut self.elements))
         {
-            solid.row(view, y, element);
+            solid.row(view, y, columns, element);
             if T::outlook(element, 0) != Outlook::EMPTY {
                 put(&mut self.of_row, &mut self.in_row, index);
             }

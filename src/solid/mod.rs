@@ -36,6 +36,7 @@ mod row;
 mod silhouette;
 mod slab;
 mod sphere;
+mod strip;
 mod wall;
 
 pub use boolean::{Difference, Intersection, Union};

@@ -69,8 +69,9 @@ pub trait Project<R>: Shape {
     /// Gets ready for all rows of a picture.
     fn view(&self, rays: &R, view: &mut Self::View);
 
-    /// Gets ready for all columns of the row `y` half pixels below the middle of the picture.
-    fn row(&self, view: &Self::View, y: i32, row: &mut Self::Row);
+    /// Gets ready for all columns, so many, of the row `y` half pixels below the middle of the
+    /// picture.
+    fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row);
 
     /// What can be seen from `column` on: may be too much, but never too little.
     fn outlook(row: &Self::Row, column: u32) -> Outlook;
@@ -123,32 +124,40 @@ impl<S: Scalar> Look<S> {
 /// A convex primitive, seen along the rays `R`: at most one span in every column.
 pub trait Leaf<R>: Shape {
     /// As [`Project::View`].
-    type View;
+    type View: Blank;
     /// As [`Project::Row`].
-    type Row;
+    type Row: Blank;
 
     /// What the camera decides.
     fn seen_along(&self, rays: &R) -> Self::View;
 
     /// What the row decides, and the columns in which the primitive can be seen.
-    fn in_row(&self, view: &Self::View, y: i32) -> (Self::Row, Extent);
+    fn in_row(&self, view: &Self::View, y: i32, columns: u32) -> (Self::Row, Extent);
 
     /// The span of the ray `x` half pixels to the right of the middle, if there is one.
     fn span(&self, view: &Self::View, row: &Self::Row, x: i32) -> Option<Span<Self::Scalar>>;
+
+    /// Whether the span of that ray may hold `t`: where less work than the span's tells that it
+    /// doesn't, the span is not asked for.
+    #[inline(always)]
+    fn may_hold(&self, _: &Self::View, _: &Self::Row, _x: i32, _t: Self::Scalar) -> bool {
+        true
+    }
 }
 
 /// A row of a primitive.
 #[derive(Debug, Clone, Copy)]
 pub struct LeafRow<S, D> {
-    pub(super) row: Option<D>,
-    pub(super) extent: Extent,
+    row: D,
+    /// The columns from the first to before the last.
+    extent: [u16; 2],
     /// The ray that was asked for last, and its span.
     x: i32,
     span: Span<S>,
 }
 
-impl<S: Scalar, D> Blank for LeafRow<S, D> {
-    const BLANK: Self = Self { row: None, extent: Extent::EMPTY, x: NO_RAY, span: Span::NOWHERE };
+impl<S: Scalar, D: Blank> Blank for LeafRow<S, D> {
+    const BLANK: Self = Self { row: D::BLANK, extent: [0; 2], x: 0, span: Span::BLANK };
 }
 
 /// Farther away than any ray of a picture.
@@ -158,35 +167,44 @@ impl<S: Scalar, D> LeafRow<S, D> {
     /// Another row.
     #[inline]
     pub(super) fn set(&mut self, (row, extent): (D, Extent)) {
-        self.row = Some(row);
-        self.extent = extent;
+        let column = |index: u32| u16::try_from(index).unwrap_or(u16::MAX);
+        self.row = row;
+        self.extent = [column(extent.start), column(extent.end)];
         self.x = NO_RAY;
     }
 
-    /// The span of a ray: computed once, however often it is asked for.
     #[inline]
-    pub(super) fn cached<R, T>(&mut self, solid: &T, view: &Option<T::View>, x: i32) -> &Span<S>
+    pub(super) fn outlook(&self, column: u32) -> Outlook {
+        let [start, end] = self.extent.map(u32::from);
+        Outlook::of(Extent { start, end }, column)
+    }
+
+    #[inline]
+    pub(super) fn row(&self) -> &D {
+        &self.row
+    }
+
+    /// The span of a ray: computed once, however often it is asked for.
+    #[inline(always)]
+    pub(super) fn cached<R, T>(&mut self, solid: &T, view: &T::View, x: i32) -> &Span<S>
     where
         T: Leaf<R, Scalar = S, Row = D>,
     {
         if self.x != x {
-            self.compute(solid, view, x);
+            self.x = x;
+            self.span = solid.span(view, &self.row, x).unwrap_or(Span::NOWHERE);
         }
         &self.span
     }
 
-    // Called from many places, and long.
-    #[inline(never)]
-    fn compute<R, T>(&mut self, solid: &T, view: &Option<T::View>, x: i32)
+    /// Whether the span of a ray holds `t`.
+    #[inline(always)]
+    pub(super) fn holds<R, T>(&mut self, solid: &T, view: &T::View, x: i32, t: S) -> bool
     where
         T: Leaf<R, Scalar = S, Row = D>,
     {
-        self.x = x;
-        let span = match (view, &self.row) {
-            (Some(view), Some(row)) => solid.span(view, row, x),
-            _ => None,
-        };
-        self.span = span.unwrap_or(Span::NOWHERE);
+        (self.x == x || solid.may_hold(view, &self.row, x, t))
+            && self.cached::<R, T>(solid, view, x).holds(t)
     }
 }
 
@@ -197,23 +215,21 @@ macro_rules! leaf {
         where
             Self: $crate::solid::row::Leaf<R>,
         {
-            type View = Option<<Self as $crate::solid::row::Leaf<R>>::View>;
+            type View = <Self as $crate::solid::row::Leaf<R>>::View;
             type Row =
                 $crate::solid::row::LeafRow<Self::Scalar, <Self as $crate::solid::row::Leaf<R>>::Row>;
 
             fn view(&self, rays: &R, view: &mut Self::View) {
-                *view = Some($crate::solid::row::Leaf::seen_along(self, rays));
+                *view = $crate::solid::row::Leaf::seen_along(self, rays);
             }
 
-            fn row(&self, view: &Self::View, y: i32, row: &mut Self::Row) {
-                if let Some(view) = view {
-                    row.set($crate::solid::row::Leaf::in_row(self, view, y));
-                }
+            fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) {
+                row.set($crate::solid::row::Leaf::in_row(self, view, y, columns));
             }
 
             #[inline]
             fn outlook(row: &Self::Row, column: u32) -> $crate::solid::row::Outlook {
-                $crate::solid::row::Outlook::of(row.extent, column)
+                row.outlook(column)
             }
 
             #[inline]
@@ -228,8 +244,8 @@ macro_rules! leaf {
                 first: $crate::span::Face,
                 stack: &mut $crate::span::SpanStack<'_, Self::Scalar>,
             ) {
-                let (Some(view), Some(row)) = (view, &row.row) else { return };
-                if let Some(span) = $crate::solid::row::Leaf::span(self, view, row, column.x) {
+                let span = $crate::solid::row::Leaf::<R>::span(self, view, row.row(), column.x);
+                if let Some(span) = span {
                     stack.put(span.with_faces_from(first));
                 }
             }
@@ -242,7 +258,7 @@ macro_rules! leaf {
                 x: i32,
                 t: Self::Scalar,
             ) -> bool {
-                row.cached::<R, Self>(self, view, x).holds(t)
+                row.holds::<R, Self>(self, view, x, t)
             }
 
             #[inline]
@@ -275,8 +291,8 @@ macro_rules! project_as_within {
             self.$field.view($own, view);
         }
 
-        fn row(&self, view: &Self::View, y: i32, row: &mut Self::Row) {
-            self.$field.row(view, y, row);
+        fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) {
+            self.$field.row(view, y, columns, row);
         }
 
         fn outlook(row: &Self::Row, column: u32) -> $crate::solid::row::Outlook {

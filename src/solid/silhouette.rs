@@ -1,6 +1,7 @@
-//! The columns in which a row can meet a solid, from where a quadratic in X is not negative.
+//! The columns in which rays from an eye can meet a solid, from where a quadratic in X is not
+//! negative.
 
-use crate::geom::{Affine, Extent, Parallel, Pencil, Vec3};
+use crate::geom::{Affine, Extent, Pencil, Vec3};
 use crate::scalar::{Number, Real, Scalar};
 
 /// The columns of a row in which `Σ plus² ≥ Σ minus²` may hold, for lengths that are affine in X.
@@ -76,52 +77,6 @@ pub(super) fn constant<T: Real>(length: T) -> Affine<T> {
     Affine { middle: length, step: T::ZERO }
 }
 
-/// The coordinates in a row of a vector that is given in the middle of the picture and by its
-/// steps to the right and down.
-pub(super) fn vector_row<T: Real>([middle, right, down]: [Vec3<T>; 3], y: i32) -> [Affine<T>; 3] {
-    [
-        Affine::row([middle.x, right.x, down.x], y),
-        Affine::row([middle.y, right.y, down.y], y),
-        Affine::row([middle.z, right.z, down.z], y),
-    ]
-}
-
-/// A ball around a bounded solid, seen along parallel rays.
-///
-/// In the image plane the ball is a disc, and a row cuts a chord out of it.
-#[derive(Debug, Clone, Copy)]
-pub struct ParallelBall<S: Scalar> {
-    /// The pixel, seen from the ball's centre, along its row.
-    pub(super) along: Affine<S::Fine>,
-    /// The middle row, seen from the ball's centre.
-    across: S::Fine,
-    pub(super) radius: S::Fine,
-    columns: u32,
-}
-
-impl<S: Scalar> ParallelBall<S> {
-    pub(super) fn new(center: Vec3<S::Fine>, radius: S::Fine, rays: &Parallel<S>) -> Self {
-        let from_center = rays.center - center;
-        let along = from_center.dot_compensated(rays.right);
-        Self {
-            along: Affine { middle: along, step: rays.pitch },
-            across: from_center.dot_compensated(rays.down),
-            radius,
-            columns: rays.columns,
-        }
-    }
-
-    /// The distance of the row from the ball's centre.
-    pub(super) fn row_distance(&self, y: i32) -> S::Fine {
-        self.across.after_steps(self.along.step, y)
-    }
-
-    pub(super) fn extent(&self, y: i32) -> Extent {
-        let across = constant(self.row_distance(y));
-        extent(&[constant(self.radius + S::BLUR.fine())], &[across, self.along], self.columns)
-    }
-}
-
 /// A ball around a bounded solid, seen from an eye.
 ///
 /// In the camera's own frame, with axes to the right, down and forward, the ray of a pixel is along
@@ -136,7 +91,6 @@ pub struct PencilBall<S: Scalar> {
     pitch: S::Fine,
     /// What half a pixel adds to x or y: the pitch over the eye's distance.
     slope: S::Fine,
-    columns: u32,
 }
 
 impl<S: Scalar> PencilBall<S> {
@@ -146,7 +100,7 @@ impl<S: Scalar> PencilBall<S> {
         let along = |direction: Vec3<S::Fine>| from_middle.dot_compensated(direction);
         let center = Vec3::new(along(plane.right), along(plane.down), along(plane.forward));
         let (pitch, slope) = (plane.pitch, plane.pitch * rays.convergence);
-        Self { center, radius, pitch, slope, columns: plane.columns }
+        Self { center, radius, pitch, slope }
     }
 
     /// d in a row.
@@ -177,8 +131,8 @@ impl<S: Scalar> PencilBall<S> {
         ]
     }
 
-    pub(super) fn extent(&self, y: i32) -> Extent {
+    pub(super) fn extent(&self, y: i32, columns: u32) -> Extent {
         let reach = self.direction(y).map(|part| part.times(self.radius + S::BLUR.fine()));
-        extent(&reach, &self.moment(y), self.columns)
+        extent(&reach, &self.moment(y), columns)
     }
 }

@@ -1,7 +1,8 @@
 //! The slab: what lies between two parallel planes. Three slabs make a box.
 
 use super::intersect::{Intersect, Passage};
-use super::row::{Leaf, leaf};
+use super::row::{Blank, Leaf, leaf};
+use super::strip::columns_between;
 use super::{Shape, Solid};
 use crate::geom::{Affine, Direction, Extent, Line, Parallel, Pencil, Vec3};
 use crate::scalar::{Check, FixedI32, Fraction, Number, Real, Scalar};
@@ -211,95 +212,163 @@ impl<S: Scalar> Leaf<Parallel<S>> for Slab<S> {
     fn seen_along(&self, rays: &Parallel<S>) -> ParallelView<S> {
         let speed = self.normal.dot_fine(rays.forward);
         let inverse = if speed.is_divisor() { S::Fine::ONE / speed } else { S::Fine::ZERO };
-        let height = rays.steps(Vec3::ZERO).map(|step| self.normal.dot_fine(step));
-        ParallelView { height, speed, inverse, step: -height[1] * inverse, columns: rays.columns }
+        let [middle, right, down] = rays.steps(Vec3::ZERO).map(|step| self.normal.dot_fine(step));
+        let is_edge_on = inverse == S::Fine::ZERO;
+        let step = if is_edge_on { right } else { -right * inverse };
+        ParallelView { height: [middle, down], inverse, step }
     }
 
-    fn in_row(&self, view: &ParallelView<S>, y: i32) -> (ParallelRow<S>, Extent) {
-        (self.parallel_row(view, y), Extent::all(view.columns))
+    fn in_row(&self, view: &ParallelView<S>, y: i32, columns: u32) -> (ParallelRow<S>, Extent) {
+        let row = self.parallel_row(view, y, columns);
+        let extent = match &row {
+            ParallelRow::EdgeOn(row) => self.columns(row, columns),
+            _ => Extent::all(columns),
+        };
+        (row, extent)
     }
 
     #[inline]
     fn span(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32) -> Option<Span<S>> {
-        match *row {
-            ParallelRow::Across { low, high } => {
-                let step = view.step;
-                let at = [low, high].map(|middle| S::from_fine(Affine { middle, step }.at(x)));
-                Passage::Across { at, upwards: view.speed > S::Fine::ZERO }.span()
-            }
-            ParallelRow::EdgeOn { height, speed } => self.passage(height.at(x), speed).span(),
+        match row {
+            ParallelRow::Nowhere => None,
+            ParallelRow::Across(ends) => ends.span(view, x),
+            ParallelRow::EdgeOn(row) => self.edge_on_span(row, x),
         }
     }
 }
 
 impl<S: Scalar> Slab<S> {
-    pub(super) fn parallel_row(&self, view: &ParallelView<S>, y: i32) -> ParallelRow<S> {
-        let height = Affine::row(view.height, y);
-        if view.inverse == S::Fine::ZERO {
-            return ParallelRow::EdgeOn { height, speed: S::Fine::ZERO };
+    pub(super) fn parallel_row(
+        &self,
+        view: &ParallelView<S>,
+        y: i32,
+        columns: u32,
+    ) -> ParallelRow<S> {
+        let ParallelView { height: [middle, down], inverse, step } = *view;
+        let height = middle.after_steps(down, y);
+        if inverse == S::Fine::ZERO {
+            return ParallelRow::EdgeOn(EdgeOn { height, step, speed: S::Fine::ZERO });
         }
-        let [low, high] =
-            [self.low, self.high].map(|offset| (offset.fine() - height.middle) * view.inverse);
-        if [low, high].iter().all(|at| at.holds_steps(view.step, view.columns as i32)) {
-            ParallelRow::Across { low, high }
-        } else {
-            ParallelRow::EdgeOn { height, speed: view.speed }
+        let [low, high] = [self.low, self.high].map(|offset| (offset.fine() - height) * inverse);
+        if [low, high].iter().all(|at| at.holds_steps(step, columns as i32)) {
+            return ParallelRow::Across(Ends { low, high });
         }
+        let speed = S::Fine::ONE / inverse;
+        ParallelRow::EdgeOn(EdgeOn { height, step: -(step * speed), speed })
+    }
+
+    #[inline]
+    pub(super) fn edge_on_span(&self, row: &EdgeOn<S>, x: i32) -> Option<Span<S>> {
+        self.passage(row.height.after_steps(row.step, x), row.speed).span()
+    }
+
+    /// The columns in which rays along the planes, or almost, can be between them.
+    pub(super) fn columns(&self, row: &EdgeOn<S>, columns: u32) -> Extent {
+        if row.speed != S::Fine::ZERO {
+            return Extent::all(columns);
+        }
+        let (low, high) = (self.low.fine(), self.high.fine());
+        let height = Affine { middle: row.height, step: row.step };
+        let size = low.abs() + high.abs() + row.height.abs();
+        columns_between::<S>(height, [low, high], size, columns)
+    }
+}
+
+impl<S: Scalar> Ends<S> {
+    #[inline(always)]
+    pub(super) fn span(&self, view: &ParallelView<S>, x: i32) -> Option<Span<S>> {
+        let at = [self.low, self.high].map(|end| S::from_fine(end.after_steps(view.step, x)));
+        Passage::Across { at, upwards: view.inverse > S::Fine::ZERO }.span()
+    }
+
+    /// The columns in which rays can be between the planes no farther than `reach` from `middle`.
+    pub(super) fn columns(
+        &self,
+        view: &ParallelView<S>,
+        middle: Affine<S::Fine>,
+        reach: S::Fine,
+        columns: u32,
+    ) -> Extent {
+        let near = self.low.min(self.high) - reach;
+        let far = self.low.max(self.high) + reach;
+        // The ends move as well: what counts is how the middle moves along them.
+        let along = Affine { step: middle.step - view.step, ..middle };
+        let way = S::Fine::ZERO.after_steps(middle.step, columns as i32);
+        let size = near.abs().max(far.abs()) + middle.middle.abs() + way.abs() + reach;
+        columns_between::<S>(along, [near, far], size, columns)
     }
 }
 
 /// A slab, seen along parallel rays.
 #[derive(Debug, Clone, Copy)]
 pub struct ParallelView<S: Scalar> {
-    /// normal·p in the middle of the image plane, and its steps.
-    height: [S::Fine; 3],
-    /// normal·d.
-    speed: S::Fine,
-    /// 1/speed, or 0 if the rays run along the planes.
+    /// normal·p in the middle of the image plane, and its step down.
+    height: [S::Fine; 2],
+    /// 1/(normal·d), or 0 if the rays run along the planes.
     inverse: S::Fine,
-    /// What half a column adds to where the planes are crossed.
-    pub(super) step: S::Fine,
-    pub(super) columns: u32,
+    /// What half a column adds to where the planes are crossed; or to the height, for rays along
+    /// the planes.
+    step: S::Fine,
+}
+
+impl<S: Scalar> Blank for ParallelView<S> {
+    const BLANK: Self =
+        Self { height: [S::Fine::ZERO; 2], inverse: S::Fine::ZERO, step: S::Fine::ZERO };
 }
 
 /// A row of a slab, seen along parallel rays.
 #[derive(Debug, Clone, Copy)]
 pub enum ParallelRow<S: Scalar> {
+    /// Not set yet.
+    Nowhere,
     /// Both planes are crossed, at parameters that are affine in the column.
-    Across {
-        /// Where the middle of the row crosses the low plane.
-        low: S::Fine,
-        /// Where it crosses the high plane.
-        high: S::Fine,
-    },
+    Across(Ends<S>),
     /// The rays run along the planes, or almost.
-    EdgeOn {
-        /// normal·p.
-        height: Affine<S::Fine>,
-        /// normal·d.
-        speed: S::Fine,
-    },
+    EdgeOn(EdgeOn<S>),
+}
+
+impl<S: Scalar> Blank for ParallelRow<S> {
+    const BLANK: Self = Self::Nowhere;
+}
+
+/// Where the middle of a row crosses the planes.
+#[derive(Debug, Clone, Copy)]
+pub struct Ends<S: Scalar> {
+    low: S::Fine,
+    high: S::Fine,
+}
+
+/// A row of rays along the planes, or almost.
+#[derive(Debug, Clone, Copy)]
+pub struct EdgeOn<S: Scalar> {
+    /// normal·p in the middle, and what half a column adds to it.
+    height: S::Fine,
+    step: S::Fine,
+    /// normal·d.
+    speed: S::Fine,
 }
 
 impl<S: Scalar> Leaf<Pencil<S>> for Slab<S> {
-    type View = PencilView<S>;
-    type Row = PencilRow<S>;
+    type View = Option<PencilView<S>>;
+    type Row = Option<PencilRow<S>>;
 
-    fn seen_along(&self, rays: &Pencil<S>) -> PencilView<S> {
-        PencilView {
-            height: rays.plane.steps(Vec3::ZERO).map(|step| self.normal.dot_fine(step)),
-            speed: self.normal.dot_fine(rays.plane.forward),
-            convergence: rays.convergence,
-            columns: rays.plane.columns,
-        }
+    fn seen_along(&self, rays: &Pencil<S>) -> Self::View {
+        Some(PencilView::new(&self.normal, rays))
     }
 
-    fn in_row(&self, view: &PencilView<S>, y: i32) -> (PencilRow<S>, Extent) {
-        (PencilRow::new(view, y), Extent::all(view.columns))
+    fn in_row(&self, view: &Self::View, y: i32, columns: u32) -> (Self::Row, Extent) {
+        (view.as_ref().map(|view| PencilRow::new(view, y)), Extent::all(columns))
     }
 
     #[inline]
-    fn span(&self, _: &PencilView<S>, row: &PencilRow<S>, x: i32) -> Option<Span<S>> {
+    fn span(&self, _: &Self::View, row: &Self::Row, x: i32) -> Option<Span<S>> {
+        self.pencil_span(row.as_ref()?, x)
+    }
+}
+
+impl<S: Scalar> Slab<S> {
+    #[inline]
+    pub(super) fn pencil_span(&self, row: &PencilRow<S>, x: i32) -> Option<Span<S>> {
         self.passage(row.height.at(x), row.speed.at(x)).span()
     }
 }
@@ -312,7 +381,16 @@ pub struct PencilView<S: Scalar> {
     /// normal·d in the middle.
     speed: S::Fine,
     pub(super) convergence: S::Fine,
-    pub(super) columns: u32,
+}
+
+impl<S: Scalar> PencilView<S> {
+    pub(super) fn new(normal: &Direction<S>, rays: &Pencil<S>) -> Self {
+        Self {
+            height: rays.plane.steps(Vec3::ZERO).map(|step| normal.dot_fine(step)),
+            speed: normal.dot_fine(rays.plane.forward),
+            convergence: rays.convergence,
+        }
+    }
 }
 
 /// A row of a slab, seen from an eye.

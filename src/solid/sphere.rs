@@ -2,10 +2,11 @@
 
 use super::intersect::Intersect;
 use super::row::{Leaf, leaf};
-use super::silhouette::{ParallelBall, PencilBall};
+use super::silhouette::PencilBall;
+use super::strip::columns_within;
 use super::{Shape, Solid};
 use crate::geom::{Affine, Extent, Line, Parallel, Pencil, Vec3};
-use crate::scalar::{Check, Chord, FixedI32, Fraction, Scalar};
+use crate::scalar::{Check, Chord, FixedI32, Fraction, Real, Scalar};
 use crate::span::{Crossing, Face, Span, SpanStack};
 
 /// A solid sphere.
@@ -98,66 +99,80 @@ impl<S: Intersect> Solid for Sphere<S> {
     }
 }
 
+/// In the image plane the ball is a disc, and a row cuts a chord out of it.
 impl<S: Scalar> Leaf<Parallel<S>> for Sphere<S> {
-    type View = ParallelView<S>;
-    type Row = ParallelRow<S>;
+    type View = Option<ParallelView<S>>;
+    type Row = Option<ParallelRow<S>>;
 
-    fn seen_along(&self, rays: &Parallel<S>) -> ParallelView<S> {
-        ParallelView {
-            ball: ParallelBall::new(self.center.fine(), self.radius.fine(), rays),
-            middle: -(rays.center - self.center.fine()).dot_compensated(rays.forward),
-        }
+    fn seen_along(&self, rays: &Parallel<S>) -> Self::View {
+        let from_center = rays.center - self.center.fine();
+        Some(ParallelView {
+            along: from_center.dot_compensated(rays.right),
+            across: from_center.dot_compensated(rays.down),
+            pitch: rays.pitch,
+            middle: S::from_fine(-from_center.dot_compensated(rays.forward)),
+        })
     }
 
-    fn in_row(&self, view: &ParallelView<S>, y: i32) -> (ParallelRow<S>, Extent) {
-        let row = ParallelRow {
-            // The radius of the circle that the row cuts out.
-            radius: S::leg(S::from_fine(view.ball.radius), S::from_fine(view.ball.row_distance(y))),
-            middle: S::from_fine(view.middle),
-        };
-        (row, view.ball.extent(y))
+    fn in_row(&self, view: &Self::View, y: i32, columns: u32) -> (Self::Row, Extent) {
+        let row = view.as_ref().and_then(|view| {
+            let across = S::from_fine(view.across.after_steps(view.pitch, y));
+            let radius = S::leg(self.radius, across)?;
+            Some((view, ParallelRow { radius }))
+        });
+        let Some((view, row)) = row else { return (None, Extent::EMPTY) };
+        let along = Affine { middle: view.along, step: view.pitch };
+        (Some(row), columns_within::<S>(along, row.radius.fine(), columns))
     }
 
     #[inline]
-    fn span(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32) -> Option<Span<S>> {
-        let half = S::leg(row.radius?, S::from_fine(view.ball.along.at(x)))?;
-        span(row.middle.minus(half), row.middle.plus(half))
+    fn span(&self, view: &Self::View, row: &Self::Row, x: i32) -> Option<Span<S>> {
+        let (Some(view), Some(row)) = (view, row) else { return None };
+        let half = S::leg(row.radius, S::from_fine(view.along.after_steps(view.pitch, x)))?;
+        span(view.middle.minus(half), view.middle.plus(half))
     }
 }
 
 /// A sphere, seen along parallel rays.
 #[derive(Debug, Clone, Copy)]
 pub struct ParallelView<S: Scalar> {
-    ball: ParallelBall<S>,
-    middle: S::Fine,
+    /// The middle of the picture, seen from the sphere's centre, to the right and down.
+    along: S::Fine,
+    across: S::Fine,
+    /// The size of half a pixel.
+    pitch: S::Fine,
+    /// The parameter in the middle of chords.
+    middle: S,
 }
 
 /// A row of a sphere, seen along parallel rays.
 #[derive(Debug, Clone, Copy)]
 pub struct ParallelRow<S: Scalar> {
-    radius: Option<S>,
-    middle: S,
+    /// Of the circle that the row cuts out.
+    radius: S,
 }
 
 impl<S: Scalar> Leaf<Pencil<S>> for Sphere<S> {
-    type View = PencilBall<S>;
-    type Row = PencilRow<S>;
+    type View = Option<PencilBall<S>>;
+    type Row = Option<PencilRow<S>>;
 
-    fn seen_along(&self, rays: &Pencil<S>) -> PencilBall<S> {
-        PencilBall::new(self.center.fine(), self.radius.fine(), rays)
+    fn seen_along(&self, rays: &Pencil<S>) -> Self::View {
+        Some(PencilBall::new(self.center.fine(), self.radius.fine(), rays))
     }
 
-    fn in_row(&self, view: &PencilBall<S>, y: i32) -> (PencilRow<S>, Extent) {
+    fn in_row(&self, view: &Self::View, y: i32, columns: u32) -> (Self::Row, Extent) {
+        let Some(view) = view else { return (None, Extent::EMPTY) };
         let row = PencilRow {
             moment: view.moment(y),
             from_center: view.position(y),
             direction: view.direction(y),
         };
-        (row, view.extent(y))
+        (Some(row), view.extent(y, columns))
     }
 
     #[inline]
-    fn span(&self, _: &PencilBall<S>, row: &PencilRow<S>, x: i32) -> Option<Span<S>> {
+    fn span(&self, _: &Self::View, row: &Self::Row, x: i32) -> Option<Span<S>> {
+        let row = row.as_ref()?;
         let lengths = |of: [Affine<S::Fine>; 3]| of.map(|part| S::from_fine(part.at(x)));
         let direction = row.direction.map(|part| S::unit(part.at(x)));
         let (k, q) = (lengths(row.moment), lengths(row.from_center));

@@ -67,6 +67,12 @@ impl<S: Scalar> Span<S> {
         Self::new(self.enter, self.exit)
     }
 
+    /// Memory for a span.
+    pub(crate) const BLANK: Self = {
+        let crossing = Crossing { t: S::ZERO, face: Face(0) };
+        Self { enter: crossing, exit: crossing }
+    };
+
     /// No piece of a line.
     pub(crate) const NOWHERE: Self = Self { enter: Crossing::NEVER, exit: Crossing::NEVER };
 

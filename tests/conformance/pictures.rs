@@ -91,7 +91,8 @@ where
 {
     let [width, height] = size;
     let shader = XRay::new(S::ONE).unwrap();
-    let mut picture = Picture::new(solid, camera, Size::new(width, height).unwrap(), shader, Gray8(0));
+    let mut picture =
+        Picture::new(solid, camera, Size::new(width, height).unwrap(), shader, Gray8(0));
     let mut found = Found::default();
     for y in 0..height {
         let mut scanline = picture.scanline(y).unwrap();
@@ -267,7 +268,8 @@ pub fn check_tee_in<S: Tested>() {
 fn tee_covers_41937_pixels() {
     let camera = scene::f32::orthographic().unwrap();
     let size = Size::new(320, 240).unwrap();
-    let mut picture = Picture::new(&scene::f32::TEE, &camera, size, XRay::new(1.0).unwrap(), Gray8(0));
+    let mut picture =
+        Picture::new(&scene::f32::TEE, &camera, size, XRay::new(1.0).unwrap(), Gray8(0));
     let mut covered = 0;
     for y in 0..240 {
         let mut row = picture.scanline(y).unwrap();

@@ -84,7 +84,8 @@ fn an_x_ray_begins_at_the_eye<S: Tested>() {
     let eye = vector([0.0, 0.0, 1.0]);
     let camera = Perspective::look_at(eye, Vec3::ZERO, up(), S::near(0.125)).unwrap();
     let size = Size::new(1, 1).unwrap();
-    let mut picture = Picture::new(&ball, &camera, size, XRay::new(S::near(10.0)).unwrap(), Gray8(0));
+    let mut picture =
+        Picture::new(&ball, &camera, size, XRay::new(S::near(10.0)).unwrap(), Gray8(0));
     let mut pixel = [Gray8(0)];
     picture.scanline(0).unwrap().render(&mut pixel).unwrap();
     // 3 of the ball's 4 units are in front of the eye: 0.3 · 255 is 76.5, rounded either way in
@@ -147,7 +148,7 @@ fn check_columns<T: Project<R>, R: Rays>(
     let (mut view, mut row) = (T::View::BLANK, T::Row::BLANK);
     solid.view(rays, &mut view);
     for y in 0..height {
-        solid.row(&view, 2 * i32::from(y) + 1 - i32::from(height), &mut row);
+        solid.row(&view, 2 * i32::from(y) + 1 - i32::from(height), rays.columns(), &mut row);
         for index in 0..rays.columns() {
             let x = 2 * index as i32 + 1 - rays.columns() as i32;
             check(&view, &mut row, Column { index, x })?;

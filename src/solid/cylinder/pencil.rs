@@ -13,10 +13,10 @@ use crate::solid::slab;
 use crate::span::Span;
 
 impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
-    type View = PencilView<S>;
-    type Row = PencilRow<S>;
+    type View = Option<PencilView<S>>;
+    type Row = Option<PencilRow<S>>;
 
-    fn seen_along(&self, rays: &Pencil<S>) -> PencilView<S> {
+    fn seen_along(&self, rays: &Pencil<S>) -> Self::View {
         let axis = self.caps.normal.fine();
         let plane = &rays.plane;
         let convergence = rays.convergence;
@@ -32,18 +32,19 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
         let at_eye = u.cross(axis) - m * rays.distance;
         let radius = self.tube.radius.fine();
         let (center, ball_radius) = self.bounding_ball();
-        PencilView {
+        Some(PencilView {
             moment: [flat(u.cross(axis)), right.0, down.0],
             turn: flat(m),
             reach: [u.dot_compensated(m), right.1, down.1],
             blur: ((radius + S::BLUR.fine()) * S::BLUR.fine()).sqrt(),
             eye_within: at_eye.length_squared() < radius * radius,
-            caps: self.caps.seen_along(rays),
+            caps: slab::PencilView::new(&self.caps.normal, rays),
             ball: PencilBall::new(center, ball_radius, rays),
-        }
+        })
     }
 
-    fn in_row(&self, view: &PencilView<S>, y: i32) -> (PencilRow<S>, Extent) {
+    fn in_row(&self, view: &Self::View, y: i32, columns: u32) -> (Self::Row, Extent) {
+        let Some(view) = view else { return (None, Extent::EMPTY) };
         let [[q0, q1], [right0, right1], [down0, down1]] = view.moment;
         let [m0, m1] = view.turn;
         let axis = |q, m, right, down| {
@@ -60,14 +61,15 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
         // r|m| ≥ |k| with k off by `BLUR`, however small m is: (r + b)²m² + (r + b)b ≥ (r|m| + b)².
         let radius = self.tube.radius.plus(S::BLUR).fine();
         let wide = [m0.times(radius), m1.times(radius), constant(view.blur)];
-        let silhouette = extent(&wide, &[reach], view.caps.columns);
+        let silhouette = extent(&wide, &[reach], columns);
         let caps = slab::PencilRow::new(&view.caps, y);
         let row = PencilRow { moment: [q0, q1], turn: [m0, m1], reach, caps };
-        (row, silhouette.overlap(view.ball.extent(y)))
+        (Some(row), silhouette.overlap(view.ball.extent(y, columns)))
     }
 
     #[inline]
-    fn span(&self, view: &PencilView<S>, row: &PencilRow<S>, x: i32) -> Option<Span<S>> {
+    fn span(&self, view: &Self::View, row: &Self::Row, x: i32) -> Option<Span<S>> {
+        let (Some(view), Some(row)) = (view, row) else { return None };
         let q = row.moment.map(|part| S::from_fine(part.at(x)));
         let m = row.turn.map(|part| S::unit(part.at(x)));
         let k = [S::from_fine(row.reach.at(x))];
@@ -76,7 +78,7 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
             Chord::Along if view.eye_within => Span::whole_line(WALL),
             Chord::Along | Chord::Beside => return None,
         };
-        Leaf::<Pencil<S>>::span(&self.caps, &view.caps, &row.caps, x)?.overlap(within_wall)
+        self.caps.pencil_span(&row.caps, x)?.overlap(within_wall)
     }
 }
 
