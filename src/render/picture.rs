@@ -197,11 +197,10 @@ where
         let mut column = u32::from(run.columns.start);
         let mut rest = pixels;
         while !rest.is_empty() {
-            let Outlook { is_there, until } = T::outlook(&self.picture.row, column);
+            let Outlook { is_there, until } = T::enter(&mut self.picture.row, column);
             let count = rest.len().min((until - column) as usize);
             let (now, later) = rest.split_at_mut_checked(count).ok_or(RowError::Length)?;
             if is_there && !run.is_background {
-                T::enter(&mut self.picture.row, column);
                 let mut x = self.x(column);
                 for pixel in now {
                     *pixel = self.pixel(x);
@@ -244,10 +243,9 @@ where
     /// The surface that column `x` sees, if any; its parameter as in [`spans`](Self::spans).
     pub fn seen(&mut self, x: u16) -> Option<Seen<R::Scalar>> {
         let column = u32::from(x);
-        if !T::outlook(&self.picture.row, column).is_there {
+        if !T::enter(&mut self.picture.row, column).is_there {
             return None;
         }
-        T::enter(&mut self.picture.row, column);
         self.seen_at(self.x(column))
     }
 

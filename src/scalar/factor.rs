@@ -15,6 +15,9 @@ pub struct Factor {
 }
 
 impl Factor {
+    /// 0.
+    pub(super) const NONE: Self = Self { mantissa: 0, shift: 0 };
+
     /// The factor of a number ≥ 0; of one below, 0.
     pub(super) fn new(number: Fine) -> Self {
         let bits = u64::try_from(number.to_bits()).unwrap_or(0);

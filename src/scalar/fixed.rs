@@ -118,6 +118,7 @@ impl<F: Fraction> Scalar for FixedI32<F> {
     const SHORTEST: Self = Self::from_bits(1 << (F::BITS - 1));
     const LONGEST: Self = Self::from_bits(1 << 30);
     const BLUR: Self = Self::from_bits(2);
+    const NO_FACTOR: Factor = Factor::NONE;
 
     #[inline]
     fn uncertainty(_: Fine) -> Fine {

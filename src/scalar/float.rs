@@ -173,6 +173,7 @@ macro_rules! float {
             const SHORTEST: Self = 0.0;
             const LONGEST: Self = $Float::MAX;
             const BLUR: Self = 0.0;
+            const NO_FACTOR: Self = 0.0;
 
             #[inline]
             fn uncertainty(size: Self) -> Self {
@@ -271,7 +272,8 @@ macro_rules! float {
 
             #[inline]
             fn to_level(self) -> u8 {
-                (self * 255.0 + 0.5) as u8
+                // By way of a whole number with a sign, whose range costs nothing on most targets.
+                ((self * 255.0 + 0.5) as i32).clamp(0, 255) as u8
             }
 
             #[inline(always)]

@@ -97,6 +97,9 @@ pub trait Scalar: Number {
     /// The scalar product with a direction: in twice the working precision, then rounded.
     fn dot_unit(vector: [Self; 3], direction: [Self::Unit; 3]) -> Self;
 
+    /// The factor 0.
+    const NO_FACTOR: Self::Factor;
+
     /// A number ≥ 0 as a factor.
     fn factor(fine: Self::Fine) -> Self::Factor;
 

@@ -1,10 +1,10 @@
 //! Union, intersection and difference of two solids, and the operators `|`, `&` and `-`.
 
-use super::row::{Blank, Look, Outlook, Project};
+use super::row::{Blank, Look, Outlook, Project, look_apart};
 use super::{Cylinder, Painted, Placed, Rgb, Shape, Slab, Solid, Sphere};
 use crate::geom::{Column, Line, Vec3};
 use crate::scalar::Scalar;
-use crate::span::{Face, Operation, SpanStack};
+use crate::span::{Crossing, Face, Operation, SpanStack};
 use core::marker::PhantomData;
 use core::ops::{BitAnd, BitOr, Sub};
 
@@ -180,15 +180,16 @@ impl<P, O: Rule, L: Project<P>, R: Project<P, Scalar = L::Scalar>> Project<P> fo
         Outlook { is_there, until: left.until.min(right.until) }
     }
 
-    fn enter(row: &mut Self::Row, column: u32) {
-        row.asks_left = L::outlook(&row.left, column).is_there;
-        row.asks_right = R::outlook(&row.right, column).is_there;
-        if row.asks_left {
-            L::enter(&mut row.left, column);
+    fn enter(row: &mut Self::Row, column: u32) -> Outlook {
+        let left = L::enter(&mut row.left, column);
+        row.asks_left = left.is_there;
+        if !left.is_there && O::OPERATION.needs_left() {
+            return left;
         }
-        if row.asks_right {
-            R::enter(&mut row.right, column);
-        }
+        let right = R::enter(&mut row.right, column);
+        row.asks_right = right.is_there;
+        let is_there = O::OPERATION.may_hold(left.is_there, right.is_there);
+        Outlook { is_there, until: left.until.min(right.until) }
     }
 
     fn spans_at(
@@ -228,24 +229,102 @@ impl<P, O: Rule, L: Project<P>, R: Project<P, Scalar = L::Scalar>> Project<P> fo
         view: &Self::View,
         row: &mut Self::Row,
         x: i32,
-        mut t: Self::Scalar,
+        t: Self::Scalar,
         first: Face,
     ) -> Look<Self::Scalar> {
-        let operation = O::OPERATION;
-        let counts = |left: &Look<Self::Scalar>| left.inside || !operation.needs_left();
-        let first_of_right = first.offset(L::FACES);
-        let (mut left, mut right) = (Look::EMPTY, Look::EMPTY);
-        if row.asks_left {
-            left = self.left.look(&view.0, &mut row.left, x, t, first);
+        let left = if row.asks_left {
+            self.left.look(&view.0, &mut row.left, x, t, first)
+        } else {
+            Look::EMPTY
+        };
+        if left.inside || !O::OPERATION.needs_left() {
+            return self.look_on(view, row, x, t, left, first);
         }
+        // From outside of the left operand, its first crossing decides in most cases.
+        let t = left.next.t;
+        if t >= Self::Scalar::HIGHEST {
+            return Look::EMPTY;
+        }
+        let in_right = row.asks_right && self.right.holds(&view.1, &mut row.right, x, t);
+        if O::OPERATION.holds(true, in_right) {
+            return Look { inside: false, next: left.next };
+        }
+        let next = self.next_of_right(view, row, x, t, first);
+        Look { inside: false, next }
+    }
+}
+
+impl<O: Rule, L: Shape, R: Shape<Scalar = L::Scalar>> Boolean<O, L, R> {
+    /// The first crossing behind `t`, where a ray is inside of the left operand and the right one
+    /// keeps it out of the result: for operations that need the left one.
+    #[inline(never)]
+    fn next_of_right<P>(
+        &self,
+        view: &<Self as Project<P>>::View,
+        row: &mut <Self as Project<P>>::Row,
+        x: i32,
+        mut t: L::Scalar,
+        first: Face,
+    ) -> Crossing<L::Scalar>
+    where
+        L: Project<P>,
+        R: Project<P>,
+    {
+        if !row.asks_right {
+            return Crossing::NEVER;
+        }
+        loop {
+            let first_of_right = first.offset(L::FACES);
+            let right = look_apart(&self.right, &view.1, &mut row.right, x, t, first_of_right);
+            t = right.next.t;
+            if t >= L::Scalar::HIGHEST {
+                return right.next;
+            }
+            if self.left.holds(&view.0, &mut row.left, x, t) {
+                // Where both cross, the face is that of the left.
+                let before = t.next_below();
+                if self.left.holds(&view.0, &mut row.left, x, before) {
+                    return right.next;
+                }
+                return look_apart(&self.left, &view.0, &mut row.left, x, before, first).next;
+            }
+            let left = look_apart(&self.left, &view.0, &mut row.left, x, t, first);
+            t = left.next.t;
+            let ends = t >= L::Scalar::HIGHEST;
+            let in_right = !ends && self.right.holds(&view.1, &mut row.right, x, t);
+            if ends || O::OPERATION.holds(true, in_right) {
+                return left.next;
+            }
+        }
+    }
+
+    /// What lies behind `t`, and behind that, where it is known of the left operand.
+    #[inline(never)]
+    fn look_on<P>(
+        &self,
+        view: &<Self as Project<P>>::View,
+        row: &mut <Self as Project<P>>::Row,
+        x: i32,
+        mut t: L::Scalar,
+        mut left: Look<L::Scalar>,
+        first: Face,
+    ) -> Look<L::Scalar>
+    where
+        L: Project<P>,
+        R: Project<P>,
+    {
+        let (operation, endless) = (O::OPERATION, L::Scalar::HIGHEST);
+        let counts = |left: &Look<L::Scalar>| left.inside || !operation.needs_left();
+        let first_of_right = first.offset(L::FACES);
+        let mut right = Look::EMPTY;
         if row.asks_right && counts(&left) {
-            right = self.right.look(&view.1, &mut row.right, x, t, first_of_right);
+            right = look_apart(&self.right, &view.1, &mut row.right, x, t, first_of_right);
         }
         let inside = operation.holds(left.inside, right.inside);
         loop {
             // Where both cross, the face is that of the left.
             let next = if right.next.t < left.next.t { right.next } else { left.next };
-            if next.t >= Self::Scalar::HIGHEST {
+            if next.t >= endless {
                 return Look { inside, next };
             }
             t = next.t;
@@ -262,12 +341,12 @@ impl<P, O: Rule, L: Project<P>, R: Project<P, Scalar = L::Scalar>> Project<P> fo
                 return Look { inside, next };
             }
             if passes_left {
-                left = self.left.look(&view.0, &mut row.left, x, t, first);
+                left = look_apart(&self.left, &view.0, &mut row.left, x, t, first);
             }
             if !counts(&left) {
                 right = Look::EMPTY;
             } else if passes_right {
-                right = self.right.look(&view.1, &mut row.right, x, t, first_of_right);
+                right = look_apart(&self.right, &view.1, &mut row.right, x, t, first_of_right);
             }
         }
     }

@@ -1,11 +1,11 @@
 //! An array of one kind of solid is the union of its elements: a bolt circle, a box of balls.
 
 use super::boolean::spans_inside;
-use super::row::{Blank, Look, Outlook, Project};
+use super::row::{Blank, Look, Outlook, Project, look_apart};
 use super::{Rgb, Shape, Solid};
 use crate::geom::{Column, Line, Vec3};
 use crate::scalar::Scalar;
-use crate::span::{Face, Operation, SpanStack};
+use crate::span::{Crossing, Face, Operation, SpanStack};
 
 pub(super) const fn faces_of_group(count: usize, faces: u16) -> u16 {
     assert!(count > 0, "a group of solids needs at least one");
@@ -103,8 +103,8 @@ macro_rules! project_as_group {
                 row.outlook::<P, T>(column)
             }
 
-            fn enter(row: &mut Self::Row, column: u32) {
-                row.enter::<P, T>(column);
+            fn enter(row: &mut Self::Row, column: u32) -> $crate::solid::Outlook {
+                row.enter::<P, T>(column)
             }
 
             fn spans_at(
@@ -184,9 +184,10 @@ impl<R, const N: usize> GroupRow<R, N> {
         }
     }
 
+    #[inline(never)]
     pub(super) fn outlook<P, T: Project<P, Row = R>>(&self, column: u32) -> Outlook {
         let mut all = Outlook::EMPTY;
-        for element in self.of_row.iter().take(self.in_row.into()) {
+        for element in listed(&self.of_row, self.in_row) {
             if let Some(element) = self.elements.get(usize::from(*element)) {
                 let one = T::outlook(element, column);
                 all.is_there |= one.is_there;
@@ -196,16 +197,21 @@ impl<R, const N: usize> GroupRow<R, N> {
         all
     }
 
-    pub(super) fn enter<P, T: Project<P, Row = R>>(&mut self, column: u32) {
+    #[inline(never)] // once a run
+    pub(super) fn enter<P, T: Project<P, Row = R>>(&mut self, column: u32) -> Outlook {
+        let mut all = Outlook::EMPTY;
         self.in_run = 0;
-        for &index in self.of_row.iter().take(self.in_row.into()) {
-            if let Some(element) = self.elements.get_mut(usize::from(index))
-                && T::outlook(element, column).is_there
-            {
-                T::enter(element, column);
-                put(&mut self.of_run, &mut self.in_run, index);
+        for &index in listed(&self.of_row, self.in_row) {
+            if let Some(element) = self.elements.get_mut(usize::from(index)) {
+                let one = T::enter(element, column);
+                all.until = all.until.min(one.until);
+                if one.is_there {
+                    all.is_there = true;
+                    put(&mut self.of_run, &mut self.in_run, index);
+                }
             }
         }
+        all
     }
 
     pub(super) fn spans<P, T: Project<P, Row = R>>(
@@ -233,7 +239,7 @@ impl<R, const N: usize> GroupRow<R, N> {
         x: i32,
         t: T::Scalar,
     ) -> bool {
-        self.of_run.iter().take(self.in_run.into()).any(|&index| {
+        listed(&self.of_run, self.in_run).iter().any(|&index| {
             let index = usize::from(index);
             match (solids.get(index), views.get(index), self.elements.get_mut(index)) {
                 (Some(solid), Some(view), Some(row)) => solid.holds(view, row, x, t),
@@ -251,29 +257,8 @@ impl<R, const N: usize> GroupRow<R, N> {
         t: T::Scalar,
         first: Face,
     ) -> Look<T::Scalar> {
-        let mut all = self.look_at_each(solids, views, x, t, first);
-        // From outside of all elements, the first that is entered decides; from inside, the first
-        // behind which none is left.
-        if all.inside {
-            while all.next.t < T::Scalar::HIGHEST && self.holds(solids, views, x, all.next.t) {
-                all.next = self.look_at_each(solids, views, x, all.next.t, first).next;
-            }
-        }
-        all
-    }
-
-    /// Whether a ray is inside of any element, and the first crossing of one.
-    #[inline]
-    fn look_at_each<P, T: Project<P, Row = R>>(
-        &mut self,
-        solids: &[T],
-        views: &[T::View],
-        x: i32,
-        t: T::Scalar,
-        first: Face,
-    ) -> Look<T::Scalar> {
         let mut all = Look::EMPTY;
-        for &index in self.of_run.iter().take(self.in_run.into()) {
+        for &index in listed(&self.of_run, self.in_run) {
             let element = usize::from(index);
             if let (Some(solid), Some(view), Some(row)) =
                 (solids.get(element), views.get(element), self.elements.get_mut(element))
@@ -285,8 +270,51 @@ impl<R, const N: usize> GroupRow<R, N> {
                 }
             }
         }
+        // From outside of all elements, the first that is entered decides.
+        if all.inside {
+            return Look { next: self.exit(solids, views, x, all.next, first), ..all };
+        }
         all
     }
+
+    /// The first crossing from `next` on behind which a ray is outside of all elements.
+    #[inline(never)]
+    fn exit<P, T: Project<P, Row = R>>(
+        &mut self,
+        solids: &[T],
+        views: &[T::View],
+        x: i32,
+        mut next: Crossing<T::Scalar>,
+        first: Face,
+    ) -> Crossing<T::Scalar> {
+        while next.t < T::Scalar::HIGHEST {
+            let mut all = Look::EMPTY;
+            for &index in listed(&self.of_run, self.in_run) {
+                let element = usize::from(index);
+                if let (Some(solid), Some(view), Some(row)) =
+                    (solids.get(element), views.get(element), self.elements.get_mut(element))
+                {
+                    let face = first.offset(index * T::FACES);
+                    let one = look_apart(solid, view, row, x, next.t, face);
+                    all.inside |= one.inside;
+                    if one.next.t < all.next.t {
+                        all.next = one.next;
+                    }
+                }
+            }
+            if !all.inside {
+                break;
+            }
+            next = all.next;
+        }
+        next
+    }
+}
+
+/// The indices of a list that has so many.
+#[inline(always)]
+fn listed(list: &[u16], count: u16) -> &[u16] {
+    list.get(..usize::from(count)).unwrap_or(list)
 }
 
 /// Puts an index behind the first `count` of a list that has room for all there are.

@@ -76,8 +76,9 @@ pub trait Project<R>: Shape {
     /// What can be seen from `column` on: may be too much, but never too little.
     fn outlook(row: &Self::Row, column: u32) -> Outlook;
 
-    /// Gets ready for the columns from `column` on, up to those of the [`outlook`](Self::outlook).
-    fn enter(row: &mut Self::Row, column: u32);
+    /// Gets ready for the columns from `column` on, up to those of the [`outlook`](Self::outlook),
+    /// which is returned.
+    fn enter(row: &mut Self::Row, column: u32) -> Outlook;
 
     /// Pushes the spans of the column's ray, in ascending order and regularised, with faces
     /// counted from `first` on.
@@ -121,6 +122,19 @@ impl<S: Scalar> Look<S> {
     pub(super) const EMPTY: Self = Self { inside: false, next: Crossing::NEVER };
 }
 
+/// As [`Project::look`], where it is seldom.
+#[inline(never)]
+pub(super) fn look_apart<P, T: Project<P>>(
+    solid: &T,
+    view: &T::View,
+    row: &mut T::Row,
+    x: i32,
+    t: T::Scalar,
+    first: Face,
+) -> Look<T::Scalar> {
+    solid.look(view, row, x, t, first)
+}
+
 /// A convex primitive, seen along the rays `R`: at most one span in every column.
 pub trait Leaf<R>: Shape {
     /// As [`Project::View`].
@@ -137,11 +151,16 @@ pub trait Leaf<R>: Shape {
     /// The span of the ray `x` half pixels to the right of the middle, if there is one.
     fn span(&self, view: &Self::View, row: &Self::Row, x: i32) -> Option<Span<Self::Scalar>>;
 
-    /// Whether the span of that ray may hold `t`: where less work than the span's tells that it
-    /// doesn't, the span is not asked for.
+    /// Sets that span where it is kept: to [`Span::NOWHERE`] if there is none.
+    #[inline]
+    fn set_span(&self, view: &Self::View, row: &Self::Row, x: i32, span: &mut Span<Self::Scalar>) {
+        *span = self.span(view, row, x).unwrap_or(Span::NOWHERE);
+    }
+
+    /// Parameters between which the span of that ray lies, if it takes less work than the span.
     #[inline(always)]
-    fn may_hold(&self, _: &Self::View, _: &Self::Row, _x: i32, _t: Self::Scalar) -> bool {
-        true
+    fn bounds(&self, _: &Self::View, _: &Self::Row, _x: i32) -> [Self::Scalar; 2] {
+        [Self::Scalar::LOWEST, Self::Scalar::HIGHEST]
     }
 }
 
@@ -184,17 +203,30 @@ impl<S: Scalar, D> LeafRow<S, D> {
         &self.row
     }
 
-    /// The span of a ray: computed once, however often it is asked for.
+    /// Whether a ray is inside just behind `t`, and where that changes.
     #[inline(always)]
-    pub(super) fn cached<R, T>(&mut self, solid: &T, view: &T::View, x: i32) -> &Span<S>
+    pub(super) fn look<R, T>(
+        &mut self,
+        solid: &T,
+        view: &T::View,
+        x: i32,
+        t: S,
+        first: Face,
+    ) -> Look<S>
     where
         T: Leaf<R, Scalar = S, Row = D>,
     {
         if self.x != x {
             self.x = x;
-            self.span = solid.span(view, &self.row, x).unwrap_or(Span::NOWHERE);
+            solid.set_span(view, &self.row, x, &mut self.span);
         }
-        &self.span
+        let Span { enter, exit } = self.span;
+        let (inside, next) = match () {
+            () if t < enter.t => (false, enter),
+            () if t < exit.t => (true, exit),
+            () => (false, Crossing::NEVER),
+        };
+        Look { inside, next: Crossing { face: first.offset(next.face.0), ..next } }
     }
 
     /// Whether the span of a ray holds `t`.
@@ -203,8 +235,24 @@ impl<S: Scalar, D> LeafRow<S, D> {
     where
         T: Leaf<R, Scalar = S, Row = D>,
     {
-        (self.x == x || solid.may_hold(view, &self.row, x, t))
-            && self.cached::<R, T>(solid, view, x).holds(t)
+        if self.x != x {
+            let [low, high] = solid.bounds(view, &self.row, x);
+            if t < low || high <= t {
+                return false;
+            }
+            self.compute_apart::<R, T>(solid, view, x);
+        }
+        self.span.holds(t)
+    }
+
+    /// Where it is seldom.
+    #[inline(never)]
+    fn compute_apart<R, T>(&mut self, solid: &T, view: &T::View, x: i32)
+    where
+        T: Leaf<R, Scalar = S, Row = D>,
+    {
+        self.x = x;
+        solid.set_span(view, &self.row, x, &mut self.span);
     }
 }
 
@@ -233,7 +281,9 @@ macro_rules! leaf {
             }
 
             #[inline]
-            fn enter(_: &mut Self::Row, _: u32) {}
+            fn enter(row: &mut Self::Row, column: u32) -> $crate::solid::row::Outlook {
+                row.outlook(column)
+            }
 
             #[inline]
             fn spans_at(
@@ -250,7 +300,7 @@ macro_rules! leaf {
                 }
             }
 
-            #[inline]
+            #[inline(always)]
             fn holds(
                 &self,
                 view: &Self::View,
@@ -261,7 +311,7 @@ macro_rules! leaf {
                 row.holds::<R, Self>(self, view, x, t)
             }
 
-            #[inline]
+            #[inline(always)]
             fn look(
                 &self,
                 view: &Self::View,
@@ -270,11 +320,7 @@ macro_rules! leaf {
                 t: Self::Scalar,
                 first: $crate::span::Face,
             ) -> $crate::solid::row::Look<Self::Scalar> {
-                let span = row.cached::<R, Self>(self, view, x);
-                let inside = span.holds(t);
-                let next = span.next(t, inside);
-                let next = $crate::span::Crossing { face: first.offset(next.face.0), ..next };
-                $crate::solid::row::Look { inside, next }
+                row.look::<R, Self>(self, view, x, t, first)
             }
         }
     };
@@ -299,8 +345,8 @@ macro_rules! project_as_within {
             <$Solid as $crate::solid::Project<$Rays>>::outlook(row, column)
         }
 
-        fn enter(row: &mut Self::Row, column: u32) {
-            <$Solid as $crate::solid::Project<$Rays>>::enter(row, column);
+        fn enter(row: &mut Self::Row, column: u32) -> $crate::solid::row::Outlook {
+            <$Solid as $crate::solid::Project<$Rays>>::enter(row, column)
         }
 
         #[inline]

@@ -215,7 +215,9 @@ impl<S: Scalar> Leaf<Parallel<S>> for Slab<S> {
         let [middle, right, down] = rays.steps(Vec3::ZERO).map(|step| self.normal.dot_fine(step));
         let is_edge_on = inverse == S::Fine::ZERO;
         let step = if is_edge_on { right } else { -right * inverse };
-        ParallelView { height: [middle, down], inverse, step }
+        let low_first = inverse > S::Fine::ZERO;
+        let faces = if low_first { [Face(0), Face(1)] } else { [Face(1), Face(0)] };
+        ParallelView { height: [middle, down], inverse, step, faces }
     }
 
     fn in_row(&self, view: &ParallelView<S>, y: i32, columns: u32) -> (ParallelRow<S>, Extent) {
@@ -244,14 +246,15 @@ impl<S: Scalar> Slab<S> {
         y: i32,
         columns: u32,
     ) -> ParallelRow<S> {
-        let ParallelView { height: [middle, down], inverse, step } = *view;
+        let ParallelView { height: [middle, down], inverse, step, faces } = *view;
         let height = middle.after_steps(down, y);
         if inverse == S::Fine::ZERO {
             return ParallelRow::EdgeOn(EdgeOn { height, step, speed: S::Fine::ZERO });
         }
         let [low, high] = [self.low, self.high].map(|offset| (offset.fine() - height) * inverse);
         if [low, high].iter().all(|at| at.holds_steps(step, columns as i32)) {
-            return ParallelRow::Across(Ends { low, high });
+            let (near, far) = if faces[0] == Face(0) { (low, high) } else { (high, low) };
+            return ParallelRow::Across(Ends { near, far });
         }
         let speed = S::Fine::ONE / inverse;
         ParallelRow::EdgeOn(EdgeOn { height, step: -(step * speed), speed })
@@ -275,10 +278,17 @@ impl<S: Scalar> Slab<S> {
 }
 
 impl<S: Scalar> Ends<S> {
+    /// Where the planes are crossed.
     #[inline(always)]
+    pub(super) fn at(&self, view: &ParallelView<S>, x: i32) -> [S; 2] {
+        [self.near, self.far].map(|end| S::from_fine(end.after_steps(view.step, x)))
+    }
+
+    #[inline]
     pub(super) fn span(&self, view: &ParallelView<S>, x: i32) -> Option<Span<S>> {
-        let at = [self.low, self.high].map(|end| S::from_fine(end.after_steps(view.step, x)));
-        Passage::Across { at, upwards: view.inverse > S::Fine::ZERO }.span()
+        let [enter, exit] = self.at(view, x);
+        let [near, far] = view.faces;
+        Span::new(Crossing { t: enter, face: near }, Crossing { t: exit, face: far })
     }
 
     /// The columns in which rays can be between the planes no farther than `reach` from `middle`.
@@ -289,8 +299,7 @@ impl<S: Scalar> Ends<S> {
         reach: S::Fine,
         columns: u32,
     ) -> Extent {
-        let near = self.low.min(self.high) - reach;
-        let far = self.low.max(self.high) + reach;
+        let (near, far) = (self.near - reach, self.far + reach);
         // The ends move as well: what counts is how the middle moves along them.
         let along = Affine { step: middle.step - view.step, ..middle };
         let way = S::Fine::ZERO.after_steps(middle.step, columns as i32);
@@ -309,11 +318,17 @@ pub struct ParallelView<S: Scalar> {
     /// What half a column adds to where the planes are crossed; or to the height, for rays along
     /// the planes.
     step: S::Fine,
+    /// The planes in the order in which rays meet them.
+    pub(super) faces: [Face; 2],
 }
 
 impl<S: Scalar> Blank for ParallelView<S> {
-    const BLANK: Self =
-        Self { height: [S::Fine::ZERO; 2], inverse: S::Fine::ZERO, step: S::Fine::ZERO };
+    const BLANK: Self = Self {
+        height: [S::Fine::ZERO; 2],
+        inverse: S::Fine::ZERO,
+        step: S::Fine::ZERO,
+        faces: [Face(0); 2],
+    };
 }
 
 /// A row of a slab, seen along parallel rays.
@@ -331,11 +346,11 @@ impl<S: Scalar> Blank for ParallelRow<S> {
     const BLANK: Self = Self::Nowhere;
 }
 
-/// Where the middle of a row crosses the planes.
+/// Where the middle of a row crosses the planes: first the one, then the other.
 #[derive(Debug, Clone, Copy)]
 pub struct Ends<S: Scalar> {
-    low: S::Fine,
-    high: S::Fine,
+    near: S::Fine,
+    far: S::Fine,
 }
 
 /// A row of rays along the planes, or almost.

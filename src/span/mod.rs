@@ -82,16 +82,6 @@ impl<S: Scalar> Span<S> {
         self.enter.t <= t && t < self.exit.t
     }
 
-    /// The crossing behind `t`, where just behind `t` the line is `inside` the span or not.
-    #[inline]
-    pub(crate) fn next(&self, t: S, inside: bool) -> Crossing<S> {
-        match inside {
-            true => self.exit,
-            false if t < self.enter.t => self.enter,
-            false => Crossing::NEVER,
-        }
-    }
-
     /// The whole line, which touches `face` nowhere.
     #[must_use]
     pub fn whole_line(face: Face) -> Self {

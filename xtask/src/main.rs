@@ -8,6 +8,7 @@ mod faults;
 #[path = "../../examples/host/mod.rs"]
 mod host;
 mod log;
+mod profile;
 mod report;
 #[path = "../../examples/scene/mod.rs"]
 mod scene;
@@ -37,6 +38,9 @@ enum Chore {
 
     /// Do to firmware what goes wrong on serial lines: garbage, a reset, nobody who reads
     Faults(Chosen),
+
+    /// Count where the instructions of a part of the example `bench` go
+    Profile(profile::Profile),
 
     /// Boot one firmware, show the picture that it sends, and save it
     Boot {
@@ -93,6 +97,7 @@ fn main() -> ExitCode {
             chosen.boards().iter().try_for_each(|board| log::check(*board, chosen.number))
         }
         Chore::Faults(chosen) => faults::check(chosen.boards(), chosen.number),
+        Chore::Profile(chosen) => profile::show(&chosen),
         Chore::Boot { board, elf, png } => boot::show(board, &elf, &png),
     };
     match result {

@@ -216,3 +216,17 @@ impl<S: Scalar> Cylinder<S> {
         (base + axis.fine() * middle, square.sqrt())
     }
 }
+
+/// Two unit vectors that make a right-handed frame with `n`, a vector of length 1.
+///
+/// Duff et al., *Building an orthonormal basis, revisited*, Journal of Computer Graphics
+/// Techniques 6 (2017), listing 3. Exact for coordinate axes.
+fn frame<T: Real>(n: Vec3<T>) -> [Vec3<T>; 2] {
+    let sign = if n.z < T::ZERO { -T::ONE } else { T::ONE };
+    let a = -(T::ONE / (sign + n.z));
+    let b = n.x * n.y * a;
+    [
+        Vec3::new(T::ONE + sign * n.x * n.x * a, sign * b, -sign * n.x),
+        Vec3::new(b, sign + n.y * n.y * a, -n.y),
+    ]
+}

@@ -4,13 +4,13 @@
 //! pixel is κ, the distance of its ray from the axis, which is affine in the column. The chord is
 //! `middle ± √(r² − κ²) · stretch`, with an affine middle and `stretch` = 1/|d × axis|.
 
-use super::{Cylinder, WALL, wall_span};
-use crate::geom::{Affine, Extent, Parallel, Vec3};
+use super::{Cylinder, WALL, frame, wall_span};
+use crate::geom::{Affine, Extent, Parallel};
 use crate::scalar::{Number, Real, Scalar};
 use crate::solid::row::{Blank, Leaf};
-use crate::solid::slab::{self, EdgeOn};
+use crate::solid::slab::{self, EdgeOn, Ends};
 use crate::solid::strip::{Rows, columns_within};
-use crate::span::Span;
+use crate::span::{Crossing, Span};
 
 impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
     type View = ParallelView<S>;
@@ -21,98 +21,94 @@ impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
         let m = rays.forward.cross(axis);
         let steps = rays.steps(self.tube.base.fine());
         let moments = steps.map(|step| step.cross(axis));
+        let (caps, rows) = (self.caps.seen_along(rays), self.rows(rays));
         // An angle too small to divide by hardly moves a ray within the length of a scene.
         let across = m.max_abs().is_divisor().then(|| m.normalized()).flatten();
-        let wall = if let Some(n) = across {
-            let stretch = S::Fine::ONE / m.dot(n);
-            let factor = S::factor(stretch);
-            // What a ray through the axis gets; the root of a square need not be what was squared.
+        if let Some(n) = across {
+            let exact = S::Fine::ONE / m.dot(n);
+            let stretch = S::factor(exact);
+            // The root of a square need not be what was squared.
             let reach = S::leg(self.tube.radius, S::ZERO).unwrap_or(self.tube.radius);
-            Wall::Across {
-                distance: steps.map(|step| step.dot_compensated(n)),
-                middle: moments.map(|moment| -moment.dot_compensated(n) * stretch),
-                stretch: factor,
-                reach: reach.stretched(factor),
+            ParallelView {
+                first: steps.map(|step| step.dot_compensated(n)),
+                second: moments.map(|moment| -moment.dot_compensated(n) * exact),
+                stretch,
+                reach: reach.stretched(stretch),
+                caps,
+                rows,
+                is_along: false,
             }
         } else {
-            Wall::Along { moments }
-        };
-        ParallelView { wall, caps: self.caps.seen_along(rays), rows: self.rows(rays) }
+            let [side, other] = frame(axis);
+            ParallelView {
+                first: moments.map(|moment| moment.dot(side)),
+                second: moments.map(|moment| moment.dot(other)),
+                caps,
+                rows,
+                is_along: true,
+                ..ParallelView::BLANK
+            }
+        }
     }
 
     fn in_row(&self, view: &ParallelView<S>, y: i32, columns: u32) -> (ParallelRow<S>, Extent) {
         if !view.rows.contains(y) {
             return (ParallelRow::BLANK, Extent::EMPTY);
         }
-        let radius = self.tube.radius.fine();
-        let beside = |length| columns_within::<S>(length, radius, columns);
-        let caps = self.caps.parallel_row(&view.caps, y, columns);
-        match (&view.wall, caps) {
-            (Wall::Across { distance, middle, reach, .. }, caps) => {
-                let [distance, middle] = [*distance, *middle].map(|of| Affine::row(of, y));
-                let within_wall = beside(distance);
-                let within_caps = match &caps {
-                    slab::ParallelRow::Across(ends) => {
-                        ends.columns(&view.caps, middle, *reach, columns)
-                    }
-                    slab::ParallelRow::EdgeOn(caps) => self.caps.columns(caps, columns),
-                    slab::ParallelRow::Nowhere => Extent::EMPTY,
-                };
-                let (distance, middle) = (distance.middle, middle.middle);
-                let row = match caps {
-                    slab::ParallelRow::Across(caps) => {
-                        ParallelRow::Across { distance, middle, caps }
-                    }
-                    slab::ParallelRow::EdgeOn(caps) => {
-                        ParallelRow::EdgeOn { distance, middle, caps }
-                    }
-                    slab::ParallelRow::Nowhere => ParallelRow::Nowhere,
-                };
-                (row, within_wall.overlap(within_caps))
+        let [first, second] = [view.first, view.second].map(|of| Affine::row(of, y));
+        let beside = |length| columns_within::<S>(length, self.tube.radius.fine(), columns);
+        let (kind, extent) = match (view.is_along, self.caps.parallel_row(&view.caps, y, columns)) {
+            (false, slab::ParallelRow::Across(caps)) => {
+                let extent = caps.columns(&view.caps, second, view.reach, columns);
+                (Kind::Across(caps), extent)
             }
-            // The caps are then crossed almost at right angles.
-            (Wall::Along { moments: [middle, right, down] }, slab::ParallelRow::Across(caps)) => {
-                let moments = [
-                    Affine::row([middle.x, right.x, down.x], y),
-                    Affine::row([middle.y, right.y, down.y], y),
-                    Affine::row([middle.z, right.z, down.z], y),
-                ];
-                let extent =
-                    moments.map(beside).into_iter().fold(Extent::all(columns), Extent::overlap);
-                (ParallelRow::Along { moments: moments.map(|moment| moment.middle), caps }, extent)
+            (false, slab::ParallelRow::EdgeOn(caps)) => {
+                let extent = self.caps.columns(&caps, columns);
+                (Kind::EdgeOn(caps), extent)
             }
-            _ => (ParallelRow::BLANK, Extent::EMPTY),
-        }
+            (true, slab::ParallelRow::Across(caps)) => (Kind::Along(caps), beside(second)),
+            // Who looks along the axis doesn't look along the caps.
+            _ => (Kind::Nowhere, Extent::EMPTY),
+        };
+        let row = ParallelRow { first: first.middle, second: second.middle, kind };
+        (row, extent.overlap(beside(first)))
     }
 
-    #[inline(always)]
     fn span(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32) -> Option<Span<S>> {
-        if let (
-            Wall::Across { distance: [_, right, _], middle: [_, along, _], stretch, .. },
-            ParallelRow::Across { distance, middle, caps },
-        ) = (&view.wall, row)
-        {
-            let distance = S::from_fine(distance.after_steps(*right, x));
-            let half = S::leg(self.tube.radius, distance)?.stretched(*stretch);
-            let middle = middle.after_steps(*along, x);
-            let within_wall = wall_span(S::from_fine(middle - half), S::from_fine(middle + half))?;
-            caps.span(&view.caps, x)?.overlap(within_wall)
-        } else {
-            self.rare_span(view, row, x)
-        }
+        let mut span = Span::NOWHERE;
+        Leaf::<Parallel<S>>::set_span(self, view, row, x, &mut span);
+        span.checked()
     }
 
     #[inline(always)]
-    fn may_hold(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32, t: S) -> bool {
-        match (&view.wall, row) {
-            (
-                Wall::Across { middle: [_, along, _], reach, .. },
-                ParallelRow::Across { middle, .. },
-            ) => {
-                let middle = middle.after_steps(*along, x);
-                S::from_fine(middle - *reach) <= t && t < S::from_fine(middle + *reach)
+    fn set_span(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32, span: &mut Span<S>) {
+        let Kind::Across(caps) = &row.kind else {
+            *span = self.rare_span(view, row, x).unwrap_or(Span::NOWHERE);
+            return;
+        };
+        if let Some([enter, exit]) = self.chord(view, row, x) {
+            let [near, far] = caps.at(&view.caps, x);
+            let is_wall = [enter > near, exit < far];
+            let (enter, exit) = (enter.max(near), exit.min(far));
+            if enter < exit {
+                let [near, far] = view.caps.faces;
+                let face = |is_wall, cap| if is_wall { WALL } else { cap };
+                span.enter = Crossing { t: enter, face: face(is_wall[0], near) };
+                span.exit = Crossing { t: exit, face: face(is_wall[1], far) };
+                return;
             }
-            _ => true,
+        }
+        *span = Span::NOWHERE;
+    }
+
+    #[inline(always)]
+    fn bounds(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32) -> [S; 2] {
+        if let Kind::Across(_) = row.kind {
+            let [_, along, _] = view.second;
+            let middle = row.second.after_steps(along, x);
+            [S::from_fine(middle - view.reach), S::from_fine(middle + view.reach)]
+        } else {
+            [S::LOWEST, S::HIGHEST]
         }
     }
 }
@@ -127,108 +123,94 @@ impl<S: Scalar> Cylinder<S> {
         let slope = axis.dot_fine(rays.down);
         let from_center = base - rays.center;
         let across = from_center.dot_compensated(rays.down);
-        let ends = [low, high].map(|offset| across + slope * (offset - along));
+        let [low_end, high_end] = [low, high].map(|offset| across + slope * (offset - along));
         let radius = self.tube.radius.fine();
-        let bounds = [ends[0].min(ends[1]) - radius, ends[0].max(ends[1]) + radius];
+        let bounds = [low_end.min(high_end) - radius, low_end.max(high_end) + radius];
         let size = from_center.max_abs() + along.abs() + low.abs() + high.abs() + radius;
         // Three coordinates, each of which is as large as that.
         let size = size + size + size;
         Rows::between::<S>(Affine { middle: S::Fine::ZERO, step: rays.pitch }, bounds, size)
     }
 
+    /// Where rays across the axis meet the wall.
+    #[inline(always)]
+    fn chord(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32) -> Option<[S; 2]> {
+        let ([_, right, _], [_, along, _]) = (view.first, view.second);
+        let distance = S::from_fine(row.first.after_steps(right, x));
+        let half = S::leg(self.tube.radius, distance)?.stretched(view.stretch);
+        let middle = row.second.after_steps(along, x);
+        Some([S::from_fine(middle - half), S::from_fine(middle + half)])
+    }
+
     /// Of rays along the axis, or along the caps.
     #[inline(never)]
     fn rare_span(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32) -> Option<Span<S>> {
-        match (&view.wall, row) {
-            (
-                Wall::Across { distance: [_, right, _], middle: [_, along, _], stretch, .. },
-                ParallelRow::EdgeOn { distance, middle, caps },
-            ) => {
-                let distance = S::from_fine(distance.after_steps(*right, x));
-                let half = S::leg(self.tube.radius, distance)?.stretched(*stretch);
-                let middle = middle.after_steps(*along, x);
-                let within_wall =
-                    wall_span(S::from_fine(middle - half), S::from_fine(middle + half))?;
-                self.caps.edge_on_span(caps, x)?.overlap(within_wall)
+        match &row.kind {
+            Kind::EdgeOn(caps) => {
+                let [enter, exit] = self.chord(view, row, x)?;
+                self.caps.edge_on_span(caps, x)?.overlap(wall_span(enter, exit)?)
             }
-            (Wall::Along { moments: [_, right, _] }, ParallelRow::Along { moments, caps }) => {
-                let [mx, my, mz] = *moments;
-                let vector = [(mx, right.x), (my, right.y), (mz, right.z)]
+            Kind::Along(caps) => {
+                let ([_, step, _], [_, other, _]) = (view.first, view.second);
+                let across = [(row.first, step), (row.second, other)]
                     .map(|(middle, step)| S::from_fine(middle.after_steps(step, x)));
-                if S::length(vector) < self.tube.radius {
-                    caps.span(&view.caps, x)?.overlap(Span::whole_line(WALL))
-                } else {
-                    None
-                }
+                let is_inside = S::length([across[0], across[1], S::ZERO]) < self.tube.radius;
+                caps.span(&view.caps, x).filter(|_| is_inside)
             }
-            _ => None,
+            Kind::Nowhere | Kind::Across(_) => None,
         }
     }
 }
 
-/// A cylinder, seen along parallel rays.
+/// A cylinder, seen along parallel rays: values in the middle of the picture, and their steps to
+/// the right and down.
 #[derive(Debug, Clone, Copy)]
 pub struct ParallelView<S: Scalar> {
-    wall: Wall<S>,
+    /// κ; or, where the camera looks along the axis, a coordinate of the ray's place across it.
+    first: [S::Fine; 3],
+    /// The middle of the chord; or the other coordinate.
+    second: [S::Fine; 3],
+    stretch: S::Factor,
+    /// The longest half-chord.
+    reach: S::Fine,
     caps: slab::ParallelView<S>,
     rows: Rows,
-}
-
-/// The wall: values in the middle of the picture, and their steps to the right and down.
-#[derive(Debug, Clone, Copy)]
-enum Wall<S: Scalar> {
-    Nowhere,
-    Across {
-        /// κ.
-        distance: [S::Fine; 3],
-        middle: [S::Fine; 3],
-        stretch: S::Factor,
-        /// The longest half-chord.
-        reach: S::Fine,
-    },
-    /// The camera looks along the axis: the vector from the axis to the ray, turned by 90°.
-    Along {
-        moments: [Vec3<S::Fine>; 3],
-    },
+    is_along: bool,
 }
 
 impl<S: Scalar> Blank for ParallelView<S> {
-    const BLANK: Self =
-        Self { wall: Wall::Nowhere, caps: slab::ParallelView::BLANK, rows: Rows::BLANK };
+    const BLANK: Self = Self {
+        first: [S::Fine::ZERO; 3],
+        second: [S::Fine::ZERO; 3],
+        stretch: S::NO_FACTOR,
+        reach: S::Fine::ZERO,
+        caps: slab::ParallelView::BLANK,
+        rows: Rows::BLANK,
+        is_along: false,
+    };
 }
 
 /// A row of a cylinder, seen along parallel rays: values in the middle of the row.
 #[derive(Debug, Clone, Copy)]
-pub enum ParallelRow<S: Scalar> {
-    /// It can't be seen.
+pub struct ParallelRow<S: Scalar> {
+    /// As in the view.
+    first: S::Fine,
+    second: S::Fine,
+    kind: Kind<S>,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Kind<S: Scalar> {
+    /// The cylinder can't be seen.
     Nowhere,
     /// The rays cross the wall and the caps.
-    Across {
-        /// κ.
-        distance: S::Fine,
-        /// The middle of the chord.
-        middle: S::Fine,
-        /// Where the caps are crossed.
-        caps: slab::Ends<S>,
-    },
+    Across(Ends<S>),
     /// The rays run along the axis.
-    Along {
-        /// The vector from the axis to the ray, turned by 90°.
-        moments: [S::Fine; 3],
-        /// Where the caps are crossed.
-        caps: slab::Ends<S>,
-    },
+    Along(Ends<S>),
     /// The rays run along the caps, or almost.
-    EdgeOn {
-        /// κ.
-        distance: S::Fine,
-        /// The middle of the chord.
-        middle: S::Fine,
-        /// The caps.
-        caps: EdgeOn<S>,
-    },
+    EdgeOn(EdgeOn<S>),
 }
 
 impl<S: Scalar> Blank for ParallelRow<S> {
-    const BLANK: Self = Self::Nowhere;
+    const BLANK: Self = Self { first: S::Fine::ZERO, second: S::Fine::ZERO, kind: Kind::Nowhere };
 }

@@ -4,7 +4,7 @@
 //! all rays run through the eye. Both vectors are at right angles to the axis, so two coordinates
 //! hold each of them.
 
-use super::{Cylinder, WALL, wall_span};
+use super::{Cylinder, WALL, frame, wall_span};
 use crate::geom::{Affine, Extent, Pencil, Vec3};
 use crate::scalar::{Chord, Number, Real, Scalar};
 use crate::solid::row::Leaf;
@@ -80,20 +80,6 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
         };
         self.caps.pencil_span(&row.caps, x)?.overlap(within_wall)
     }
-}
-
-/// Two unit vectors that make a right-handed frame with `n`, a vector of length 1.
-///
-/// Duff et al., *Building an orthonormal basis, revisited*, Journal of Computer Graphics
-/// Techniques 6 (2017), listing 3. Exact for coordinate axes.
-fn frame<T: Real>(n: Vec3<T>) -> [Vec3<T>; 2] {
-    let sign = if n.z < T::ZERO { -T::ONE } else { T::ONE };
-    let a = -(T::ONE / (sign + n.z));
-    let b = n.x * n.y * a;
-    [
-        Vec3::new(T::ONE + sign * n.x * n.x * a, sign * b, -sign * n.x),
-        Vec3::new(b, sign + n.y * n.y * a, -n.y),
-    ]
 }
 
 /// A cylinder, seen from an eye: values in the middle of the picture and their steps.
