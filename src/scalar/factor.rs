@@ -1,6 +1,7 @@
 //! Factors of any size for fixed-point numbers.
 
 use super::Fine;
+use super::product::product;
 use super::whole::{normalized, reciprocal, shift_right};
 
 /// `mantissa · 2^−shift`: a number ≥ 0 with 31 significant bits, whatever its size.
@@ -37,7 +38,8 @@ impl Factor {
     /// `bits · self · 2^exponent`, rounded; what leaves the range stays at its end.
     #[inline]
     pub(super) fn times(self, bits: i32, exponent: i32) -> i64 {
-        let product = i64::from(bits) * i64::from(self.mantissa);
+        // The mantissa has 31 bits.
+        let product = product(bits, self.mantissa.cast_signed());
         shift_right(product, self.shift - exponent)
     }
 

@@ -1,6 +1,7 @@
 //! 64-bit fixed point: the numbers that a fixed-point picture is set up with.
 
 use super::number::sealed::Sealed;
+use super::product::steps;
 use super::whole::{divide, shift_right, shift_right_wide};
 use super::{Number, Real};
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -178,7 +179,7 @@ impl Real for Fine {
 
     #[inline]
     fn after_steps(self, step: Self, count: i32) -> Self {
-        Self(self.0.wrapping_add(step.0.wrapping_mul(i64::from(count))))
+        Self(self.0.wrapping_add(steps(step.0, count)))
     }
 
     #[inline(never)]

@@ -4,8 +4,9 @@
 //! whether it is positive is never a matter of rounding.
 
 use super::number::sealed::Sealed;
+use super::product::{product, unsigned_product};
 use super::rebase::Rebased;
-use super::whole::{divide, narrow, normalized, reciprocal, shift_right, sqrt};
+use super::whole::{divide, narrow, normalized, reciprocal, rounded_to_i32, shift_right, sqrt};
 use super::{Chord, Factor, Fine, FixedI32, Number, Scalar};
 use ::fixed::types::extra::{LeEqU32, U28};
 
@@ -68,11 +69,6 @@ impl<F: Fraction> Number for FixedI32<F> {
     }
 }
 
-#[inline]
-fn product(a: i32, b: i32) -> i64 {
-    i64::from(a) * i64::from(b)
-}
-
 /// `x·y`; a sum that leaves the range of `i64` stays at its end.
 #[inline]
 fn sum_of_products<const N: usize>(x: [i32; N], y: [i32; N]) -> i64 {
@@ -86,10 +82,10 @@ fn sum_of_squares<const N: usize>(x: [i32; N]) -> u64 {
     x.into_iter().fold(0u64, |sum, x| sum.wrapping_add(product(x, x).unsigned_abs()))
 }
 
-/// `bits / 2^shift` as a number.
+/// `bits / 2^shift` as a number; a shift by 1 to 31 bits.
 #[inline]
 fn rounded<F: Fraction>(bits: i64, shift: u32) -> FixedI32<F> {
-    FixedI32::from_bits(narrow(shift_right(bits, shift as i32)))
+    FixedI32::from_bits(rounded_to_i32(bits, shift))
 }
 
 /// The nearest whole number to the root of `square · 2^exponent`.
@@ -184,9 +180,11 @@ impl<F: Fraction> Scalar for FixedI32<F> {
 
     #[inline]
     fn leg(hypotenuse: Self, leg: Self) -> Option<Self> {
-        let (hypotenuse, leg) = (hypotenuse.to_bits(), leg.to_bits());
-        let square = product(hypotenuse, hypotenuse) - product(leg, leg);
-        (square > 0).then(|| Self::from_bits(narrow(sqrt(square.unsigned_abs()).into())))
+        let (hypotenuse, leg) = (hypotenuse.to_bits().unsigned_abs(), leg.to_bits().unsigned_abs());
+        // Below 2^62, so the root is below 2^31.
+        let difference = hypotenuse.checked_sub(leg).filter(|&difference| difference > 0)?;
+        let square = unsigned_product(difference, hypotenuse + leg);
+        Some(Self::from_bits(sqrt(square).min(i32::MAX as u32) as i32))
     }
 
     fn chord<const K: usize, const N: usize>(

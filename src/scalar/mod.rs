@@ -20,6 +20,7 @@ mod fused;
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
 mod hardware;
 mod number;
+mod product;
 mod rebase;
 mod root;
 pub(crate) mod whole;
