@@ -2,6 +2,7 @@
 
 use crate::scene::{Scene, Tee};
 use core::hint::black_box;
+use core::ops::Range;
 use scancsg::constant;
 use scancsg::geom::{Ray, Vec3, vec3};
 use scancsg::render::{Gray8, Lambert, Picture, PixelFormat, Size};
@@ -34,16 +35,27 @@ pub const PARTS: &[Part] = &[
     Part { name: "spline: step of a sweep", work: sweep_step },
 ];
 
-/// A picture, row by row: the view alone, and the view and the row that the argument says.
+/// A picture: its view alone, its view and the row that the argument says, and all of it.
 pub struct Frame {
     pub name: &'static str,
     pub view: extern "C" fn(u32),
     pub row: extern "C" fn(u32),
+    pub frame: extern "C" fn(u32),
 }
 
 pub const FRAMES: &[Frame] = &[
-    Frame { name: "orthographic", view: orthographic_view, row: orthographic_row },
-    Frame { name: "perspective", view: perspective_view, row: perspective_row },
+    Frame {
+        name: "orthographic",
+        view: orthographic_view,
+        row: orthographic_row,
+        frame: orthographic_frame,
+    },
+    Frame {
+        name: "perspective",
+        view: perspective_view,
+        row: perspective_row,
+        frame: perspective_frame,
+    },
 ];
 
 pub const WIDTH: u16 = 160;
@@ -116,29 +128,41 @@ fn light() -> Option<Lambert<Number>> {
 }
 
 macro_rules! frames {
-    ($($camera:ident: $view:ident, $row:ident;)+) => {$(
+    ($($camera:ident: $rows:ident, $view:ident, $row:ident, $frame:ident;)+) => {$(
         #[inline(never)]
-        extern "C" fn $view(_: u32) {
-            let (Ok(camera), Some(light)) = (Number::$camera(), light()) else { return };
-            let Ok(size) = Size::new(WIDTH, HEIGHT) else { return };
-            black_box(Picture::new(&TEE, black_box(&camera), size, light, Gray8(0)));
-        }
-
-        #[inline(never)]
-        extern "C" fn $row(y: u32) {
+        fn $rows(rows: Range<u16>) {
             let (Ok(camera), Some(light)) = (Number::$camera(), light()) else { return };
             let Ok(size) = Size::new(WIDTH, HEIGHT) else { return };
             let mut picture = Picture::new(&TEE, black_box(&camera), size, light, Gray8(0));
             let mut pixels = [Gray8(0); WIDTH as usize];
-            let _ = picture.scanline(y as u16).and_then(|mut row| row.render(&mut pixels));
-            black_box(&pixels);
+            for y in rows {
+                let _ = picture.scanline(y).and_then(|mut row| row.render(&mut pixels));
+                black_box(&pixels);
+            }
+            black_box(&picture);
+        }
+
+        #[inline(never)]
+        extern "C" fn $view(_: u32) {
+            $rows(0..0);
+        }
+
+        #[inline(never)]
+        extern "C" fn $row(y: u32) {
+            let y = y as u16;
+            $rows(y..y + 1);
+        }
+
+        #[inline(never)]
+        extern "C" fn $frame(_: u32) {
+            $rows(0..HEIGHT);
         }
     )+};
 }
 
 frames! {
-    orthographic: orthographic_view, orthographic_row;
-    perspective: perspective_view, perspective_row;
+    orthographic: orthographic_rows, orthographic_view, orthographic_row, orthographic_frame;
+    perspective: perspective_rows, perspective_view, perspective_row, perspective_frame;
 }
 
 /// A row as renders make them: background, a shaded part, a gap, and background.

@@ -21,7 +21,7 @@ pub struct Profile {
     number: Number,
 
     /// The function of the example `bench` that is looked into
-    #[arg(long, default_value = "orthographic_row")]
+    #[arg(long, default_value = "orthographic_frame")]
     part: String,
 
     /// Also write the count of every instruction's address, for a disassembler's listing
