@@ -52,6 +52,8 @@ fn main() {
         println!("{} ran", part.name);
     }
     for frame in parts::FRAMES {
+        (frame.view)(0);
+        (frame.row)(0);
         (frame.frame)(0);
         println!("{} frame, {} pixels wide: ran", frame.name, parts::WIDTH);
     }

@@ -134,6 +134,7 @@ macro_rules! frames {
             let (Ok(camera), Some(light)) = (Number::$camera(), light()) else { return };
             let Ok(size) = Size::new(WIDTH, HEIGHT) else { return };
             let mut picture = Picture::new(&TEE, black_box(&camera), size, light, Gray8(0));
+            picture.prepare();
             let mut pixels = [Gray8(0); WIDTH as usize];
             for y in rows {
                 let _ = picture.scanline(y).and_then(|mut row| row.render(&mut pixels));

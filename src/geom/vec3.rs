@@ -86,11 +86,7 @@ impl<T: Real> Vec3<T> {
     #[must_use]
     #[inline]
     pub fn cross(self, other: Self) -> Self {
-        Self::new(
-            T::product_difference(self.y, other.z, self.z, other.y),
-            T::product_difference(self.z, other.x, self.x, other.z),
-            T::product_difference(self.x, other.y, self.y, other.x),
-        )
+        Self::from(T::cross(self.to_array(), other.to_array()))
     }
 
     /// The vector of length 1 in this direction, or `None` for a vector that has none: zero, or

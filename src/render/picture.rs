@@ -41,6 +41,8 @@ pub struct Picture<'a, T: Project<R>, R: Rays, H, P> {
     view: T::View,
     row: T::Row,
     rays: R,
+    /// Whether the view is set: the first row that is asked for does that.
+    has_view: bool,
     /// Just before what the camera sees.
     before: R::Scalar,
     size: Size,
@@ -72,7 +74,8 @@ where
     P: Pixel,
 {
     /// Gets ready to render `solid`, with `background` where no surface is seen.
-    // Always inline, so that it is made where it stays and not copied: it's large.
+    // A picture is large, and what a function returns may be copied on its way. So nothing is set
+    // here that isn't constant: always inline, that is done in place.
     #[inline(always)]
     pub fn new<C: Camera<Rays = R>>(
         solid: &'a T,
@@ -82,24 +85,32 @@ where
         background: P,
     ) -> Self {
         let rays = camera.rays(size);
-        let mut picture = Self {
+        Self {
             solid,
             view: T::View::BLANK,
             row: T::Row::BLANK,
             rays,
+            has_view: false,
             before: rays.start().next_below(),
             size,
             shader,
             background,
-        };
-        solid.view(&picture.rays, &mut picture.view);
-        picture
+        }
     }
 
     /// The size in pixels.
     #[must_use]
     pub fn size(&self) -> Size {
         self.size
+    }
+
+    /// Does now what the first row would do otherwise: computes what the camera decides about every
+    /// primitive. For those who want every row to take the same time.
+    pub fn prepare(&mut self) {
+        if !self.has_view {
+            self.solid.view(&self.rays, &mut self.view);
+            self.has_view = true;
+        }
     }
 
     /// Row `y`, counted from the top. Rows may be rendered in any order, and again.
@@ -110,6 +121,7 @@ where
         if y >= self.size.height() {
             return Err(RowError::Index);
         }
+        self.prepare();
         let from_middle = from_middle(y, self.size.height());
         let columns = self.size.width().into();
         self.solid.row(&self.view, from_middle, columns, &mut self.row);

@@ -1,8 +1,8 @@
 //! Factors of any size for fixed-point numbers.
 
 use super::Fine;
-use super::product::product;
 use super::whole::{normalized, reciprocal, shift_right};
+use super::words::product;
 
 /// `mantissa · 2^−shift`: a number ≥ 0 with 31 significant bits, whatever its size.
 ///

@@ -1,8 +1,8 @@
 //! 64-bit fixed point: the numbers that a fixed-point picture is set up with.
 
 use super::number::sealed::Sealed;
-use super::product::steps;
-use super::whole::{divide, shift_right, shift_right_wide};
+use super::whole::{long_quotient, long_root, shift_right, shift_right_wide};
+use super::words::steps;
 use super::{Number, Real};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -36,6 +36,7 @@ impl Number for Fine {
     const ZERO: Self = Self(0);
     const ONE: Self = Self(1 << Self::FRACTION_BITS);
 
+    // In set-up, which is seldom, one copy of what is long on small cores is enough.
     #[inline(never)]
     fn plus(self, other: Self) -> Self {
         Self(self.0.saturating_add(other.0))
@@ -90,7 +91,6 @@ impl Sub for Fine {
 
 impl Mul for Fine {
     type Output = Self;
-    // Wide products are long on small cores, and set-up is seldom: one copy of them is enough.
     #[inline(never)]
     fn mul(self, other: Self) -> Self {
         Self(shift_right_wide(product(self, other), Self::FRACTION_BITS))
@@ -101,13 +101,21 @@ impl Div for Fine {
     type Output = Self;
     #[inline(never)]
     fn div(self, other: Self) -> Self {
-        let numerator = i128::from(self.0) << Self::FRACTION_BITS;
-        let quotient = match other.0 {
-            // An end of the range.
-            0 => numerator << 32,
-            divisor => divide(numerator, i128::from(divisor)),
-        };
-        Self(quotient.clamp(i64::MIN.into(), i64::MAX.into()) as i64)
+        if self.0 == 0 {
+            return self;
+        }
+        let is_negative = (self.0 < 0) != (other.0 < 0);
+        let (value, divisor) = (self.0.unsigned_abs(), other.0.unsigned_abs());
+        // To the nearest, halves upwards: what is negative rounds down from just below a half.
+        let half = divisor.saturating_sub(is_negative.into()) / 2;
+        let numerator = (u128::from(value) << Self::FRACTION_BITS) + u128::from(half);
+        let quotient = long_quotient(numerator, divisor);
+        let size = i64::try_from(quotient).unwrap_or(i64::MAX);
+        Self(match (is_negative, quotient) {
+            (true, 0x8000_0000_0000_0000..) => i64::MIN,
+            (true, _) => -size,
+            (false, _) => size,
+        })
     }
 }
 
@@ -160,9 +168,7 @@ impl Real for Fine {
 
     #[inline(never)]
     fn sqrt(self) -> Self {
-        let square = u128::try_from(self.0).unwrap_or(0) << Self::FRACTION_BITS;
-        let root = square.isqrt();
-        Self((root + u128::from(square - root * root > root)) as i64)
+        Self(long_root(self.0.max(0).cast_unsigned()) as i64)
     }
 
     fn sin_cos(self) -> (Self, Self) {
@@ -192,6 +198,17 @@ impl Real for Fine {
     #[inline(never)]
     fn product_difference(a: Self, b: Self, c: Self, d: Self) -> Self {
         Self(shift_right_wide(product(a, b).saturating_sub(product(c, d)), Self::FRACTION_BITS))
+    }
+
+    #[inline]
+    fn around(self, half: Self) -> [Self; 2] {
+        [Self(self.0.saturating_sub(half.0)), Self(self.0.saturating_add(half.0))]
+    }
+
+    #[inline(never)]
+    fn cross([a, b, c]: [Self; 3], [x, y, z]: [Self; 3]) -> [Self; 3] {
+        let difference = Self::product_difference;
+        [difference(b, z, c, y), difference(c, x, a, z), difference(a, y, b, x)]
     }
 
     #[inline(never)]

@@ -4,9 +4,9 @@
 //! whether it is positive is never a matter of rounding.
 
 use super::number::sealed::Sealed;
-use super::product::{product, unsigned_product};
 use super::rebase::Rebased;
 use super::whole::{divide, narrow, normalized, reciprocal, rounded_to_i32, shift_right, sqrt};
+use super::words::{product, unsigned_product};
 use super::{Chord, Factor, Fine, FixedI32, Number, Scalar};
 use ::fixed::types::extra::{LeEqU32, U28};
 
@@ -153,11 +153,12 @@ impl<F: Fraction> Scalar for FixedI32<F> {
         rounded(sum, UNIT_BITS)
     }
 
+    #[inline(never)]
     fn factor(fine: Fine) -> Factor {
         Factor::new(fine)
     }
 
-    #[inline]
+    #[inline(never)] // in several places of a normal
     fn scaled(self, factor: Factor) -> Self {
         Self::from_bits(narrow(factor.times(self.to_bits(), 0)))
     }
@@ -168,6 +169,7 @@ impl<F: Fraction> Scalar for FixedI32<F> {
         Fine::from_bits(factor.times(self.to_bits(), exponent))
     }
 
+    #[inline(never)]
     fn quotients(numerators: [Fine; 2], denominator: Fine) -> [Self; 2] {
         let inverse = Factor::inverse(denominator.abs());
         let is_negative = denominator < Fine::ZERO;
@@ -230,6 +232,7 @@ impl<F: Fraction> Scalar for FixedI32<F> {
         Chord::Between(Self::from_bits(narrow(enter)), Self::from_bits(narrow(exit)))
     }
 
+    #[inline(never)]
     fn length(vector: [Self; 3]) -> Self {
         Self::from_bits(narrow(root(sum_of_squares(vector.map(Self::to_bits)), 0)))
     }
@@ -251,7 +254,7 @@ impl<F: Fraction> Scalar for FixedI32<F> {
 
     #[inline]
     fn to_level(self) -> u8 {
-        let level = shift_right(i64::from(self.to_bits()) * 255, F::BITS as i32);
+        let level = rounded_to_i32(product(self.to_bits(), 255), F::BITS);
         level.clamp(0, 255) as u8
     }
 

@@ -33,7 +33,7 @@ fn sum_of_products<S: Float, const N: usize>(x: [S; N], y: [S; N]) -> S {
 }
 
 macro_rules! float {
-    ($Float:ident, $Bits:ident, $reach:literal, $finest:literal, $two_product:path, $square_less:path, $sqrt:path, $sin_cos:path, $floor:path) => {
+    ($Float:ident, $Bits:ident, $reach:literal, $finest:literal, $two_product:path, $square_less:path, $sqrt:path, $sin_cos:path) => {
         impl Sealed for $Float {}
 
         impl Number for $Float {
@@ -89,7 +89,8 @@ macro_rules! float {
 
             #[inline]
             fn floor_to_i32(self) -> i32 {
-                $floor(self) as i32
+                let whole = self as i32;
+                if (whole as $Float) > self { whole.saturating_sub(1) } else { whole }
             }
 
             #[inline]
@@ -284,18 +285,8 @@ macro_rules! float {
     };
 }
 
-float!(
-    f32,
-    u32,
-    1e15,
-    1e-12,
-    two_product_f32,
-    square_less_f32,
-    sqrt_f32,
-    libm::sincosf,
-    libm::floorf
-);
-float!(f64, u64, 1e60, 1e-60, two_product, square_less_f64, libm::sqrt, libm::sincos, libm::floor);
+float!(f32, u32, 1e15, 1e-12, two_product_f32, square_less_f32, sqrt_f32, libm::sincosf);
+float!(f64, u64, 1e60, 1e-60, two_product, square_less_f64, libm::sqrt, libm::sincos);
 
 #[cfg(test)]
 mod tests {

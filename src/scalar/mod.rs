@@ -20,10 +20,10 @@ mod fused;
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
 mod hardware;
 mod number;
-mod product;
 mod rebase;
 mod root;
 pub(crate) mod whole;
+mod words;
 
 pub use self::factor::Factor;
 pub use self::fine::Fine;

@@ -127,6 +127,21 @@ pub trait Real:
     #[must_use]
     fn after_steps(self, step: Self, count: i32) -> Self;
 
+    /// `[self − half, self + half]`.
+    #[inline]
+    #[must_use]
+    fn around(self, half: Self) -> [Self; 2] {
+        [self - half, self + half]
+    }
+
+    /// The vector product, with an error of at most 2 units in the last place of each coordinate.
+    #[inline]
+    #[must_use]
+    fn cross([a, b, c]: [Self; 3], [x, y, z]: [Self; 3]) -> [Self; 3] {
+        let difference = Self::product_difference;
+        [difference(b, z, c, y), difference(c, x, a, z), difference(a, y, b, x)]
+    }
+
     /// Whether [`after_steps`](Self::after_steps) stays within the type's range for all counts
     /// up to `count` in size.
     fn holds_steps(self, step: Self, count: i32) -> bool;

@@ -1,6 +1,6 @@
 //! Union, intersection and difference of two solids, and the operators `|`, `&` and `-`.
 
-use super::row::{Blank, Look, Outlook, Project, look_apart};
+use super::row::{Blank, Look, Outlook, Project};
 use super::{Cylinder, Painted, Placed, Rgb, Shape, Slab, Solid, Sphere};
 use crate::geom::{Column, Line, Vec3};
 use crate::scalar::Scalar;
@@ -275,23 +275,23 @@ impl<O: Rule, L: Shape, R: Shape<Scalar = L::Scalar>> Boolean<O, L, R> {
         }
         loop {
             let first_of_right = first.offset(L::FACES);
-            let right = look_apart(&self.right, &view.1, &mut row.right, x, t, first_of_right);
+            let right = self.right.look_apart(&view.1, &mut row.right, x, t, first_of_right);
             t = right.next.t;
             if t >= L::Scalar::HIGHEST {
                 return right.next;
             }
-            if self.left.holds(&view.0, &mut row.left, x, t) {
+            if self.left.holds_apart(&view.0, &mut row.left, x, t) {
                 // Where both cross, the face is that of the left.
                 let before = t.next_below();
-                if self.left.holds(&view.0, &mut row.left, x, before) {
+                if self.left.holds_apart(&view.0, &mut row.left, x, before) {
                     return right.next;
                 }
-                return look_apart(&self.left, &view.0, &mut row.left, x, before, first).next;
+                return self.left.look_apart(&view.0, &mut row.left, x, before, first).next;
             }
-            let left = look_apart(&self.left, &view.0, &mut row.left, x, t, first);
+            let left = self.left.look_apart(&view.0, &mut row.left, x, t, first);
             t = left.next.t;
             let ends = t >= L::Scalar::HIGHEST;
-            let in_right = !ends && self.right.holds(&view.1, &mut row.right, x, t);
+            let in_right = !ends && self.right.holds_apart(&view.1, &mut row.right, x, t);
             if ends || O::OPERATION.holds(true, in_right) {
                 return left.next;
             }
@@ -318,7 +318,7 @@ impl<O: Rule, L: Shape, R: Shape<Scalar = L::Scalar>> Boolean<O, L, R> {
         let first_of_right = first.offset(L::FACES);
         let mut right = Look::EMPTY;
         if row.asks_right && counts(&left) {
-            right = look_apart(&self.right, &view.1, &mut row.right, x, t, first_of_right);
+            right = self.right.look_apart(&view.1, &mut row.right, x, t, first_of_right);
         }
         let inside = operation.holds(left.inside, right.inside);
         loop {
@@ -335,18 +335,18 @@ impl<O: Rule, L: Shape, R: Shape<Scalar = L::Scalar>> Boolean<O, L, R> {
                 passes_right = row.asks_right;
                 right.inside = left.inside
                     && row.asks_right
-                    && self.right.holds(&view.1, &mut row.right, x, t);
+                    && self.right.holds_apart(&view.1, &mut row.right, x, t);
             }
             if operation.holds(left.inside, right.inside) != inside {
                 return Look { inside, next };
             }
             if passes_left {
-                left = look_apart(&self.left, &view.0, &mut row.left, x, t, first);
+                left = self.left.look_apart(&view.0, &mut row.left, x, t, first);
             }
             if !counts(&left) {
                 right = Look::EMPTY;
             } else if passes_right {
-                right = look_apart(&self.right, &view.1, &mut row.right, x, t, first_of_right);
+                right = self.right.look_apart(&view.1, &mut row.right, x, t, first_of_right);
             }
         }
     }

@@ -1,7 +1,7 @@
 //! An array of one kind of solid is the union of its elements: a bolt circle, a box of balls.
 
 use super::boolean::spans_inside;
-use super::row::{Blank, Look, Outlook, Project, look_apart};
+use super::row::{Blank, Look, Outlook, Project};
 use super::{Rgb, Shape, Solid};
 use crate::geom::{Column, Line, Vec3};
 use crate::scalar::Scalar;
@@ -9,7 +9,7 @@ use crate::span::{Crossing, Face, Operation, SpanStack};
 
 pub(super) const fn faces_of_group(count: usize, faces: u16) -> u16 {
     assert!(count > 0, "a group of solids needs at least one");
-    assert!(count * faces as usize <= u16::MAX as usize, "the group has too many faces");
+    assert!(count * (faces as usize) < u16::MAX as usize, "the group has too many faces");
     count as u16 * faces
 }
 
@@ -87,24 +87,22 @@ macro_rules! project_as_group {
     ($Group:ty, $items:ident) => {
         impl<P, T: $crate::solid::Project<P>, const N: usize> $crate::solid::Project<P> for $Group {
             type View = [T::View; N];
-            type Row = $crate::solid::group::GroupRow<T::Row, N>;
+            type Row = $crate::solid::group::GroupRow<[$crate::solid::group::Member<T::Row>; N]>;
 
             fn view(&self, rays: &P, view: &mut Self::View) {
-                for (solid, view) in self.$items().iter().zip(view) {
-                    solid.view(rays, view);
-                }
+                $crate::solid::group::view_each(self.$items(), rays, view);
             }
 
             fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) {
-                row.set::<P, T>(self.$items(), view, y, columns);
+                row.as_slice_mut().set::<P, T>(self.$items(), view, y, columns);
             }
 
             fn outlook(row: &Self::Row, column: u32) -> $crate::solid::Outlook {
-                row.outlook::<P, T>(column)
+                row.as_slice().outlook::<P, T>(column)
             }
 
             fn enter(row: &mut Self::Row, column: u32) -> $crate::solid::Outlook {
-                row.enter::<P, T>(column)
+                row.as_slice_mut().enter::<P, T>(column)
             }
 
             fn spans_at(
@@ -115,7 +113,7 @@ macro_rules! project_as_group {
                 first: Face,
                 stack: &mut SpanStack<'_, Self::Scalar>,
             ) {
-                row.spans::<P, T>(self.$items(), view, column, first, stack);
+                row.as_slice().spans::<P, T>(self.$items(), view, column, first, stack);
             }
 
             #[inline]
@@ -126,7 +124,7 @@ macro_rules! project_as_group {
                 x: i32,
                 t: Self::Scalar,
             ) -> bool {
-                row.holds::<P, T>(self.$items(), view, x, t)
+                row.as_slice_mut().holds::<P, T>(self.$items(), view, x, t)
             }
 
             #[inline]
@@ -138,7 +136,28 @@ macro_rules! project_as_group {
                 t: Self::Scalar,
                 first: Face,
             ) -> $crate::solid::Look<Self::Scalar> {
-                row.look::<P, T>(self.$items(), view, x, t, first)
+                row.as_slice_mut().look::<P, T>(self.$items(), view, x, t, first)
+            }
+
+            fn holds_apart(
+                &self,
+                view: &Self::View,
+                row: &mut Self::Row,
+                x: i32,
+                t: Self::Scalar,
+            ) -> bool {
+                row.as_slice_mut().holds_apart::<P, T>(self.$items(), view, x, t)
+            }
+
+            fn look_apart(
+                &self,
+                view: &Self::View,
+                row: &mut Self::Row,
+                x: i32,
+                t: Self::Scalar,
+                first: Face,
+            ) -> $crate::solid::Look<Self::Scalar> {
+                row.as_slice_mut().look_apart::<P, T>(self.$items(), view, x, t, first)
             }
         }
     };
@@ -148,24 +167,57 @@ project_as_group!([T; N], as_slice);
 
 pub(super) use project_as_group;
 
-/// The rows of a group, and which of them matter.
+/// The rows of a group, and which of them matter; `M` is an array of [`Member`]s, or a slice: what
+/// isn't done for every pixel is compiled once for all lengths.
 #[derive(Debug, Clone, Copy)]
-pub struct GroupRow<R, const N: usize> {
-    elements: [R; N],
-    /// The elements that the row can meet, in ascending order: the first `in_row`.
-    of_row: [u16; N],
-    /// Those of them that the present run of columns can meet: the first `in_run`.
-    of_run: [u16; N],
-    in_row: u16,
-    in_run: u16,
+pub struct GroupRow<M: ?Sized> {
+    /// The first element that the row can meet, and the first that the present run of columns can.
+    first_of_row: u16,
+    first_of_run: u16,
+    members: M,
 }
 
-impl<R: Blank, const N: usize> Blank for GroupRow<R, N> {
-    const BLANK: Self =
-        Self { elements: [R::BLANK; N], of_row: [0; N], of_run: [0; N], in_row: 0, in_run: 0 };
+/// The row of an element, and which one of those that matter comes behind it; indices ascend. The
+/// last one is followed by an index that no element has.
+#[derive(Debug, Clone, Copy)]
+pub struct Member<R> {
+    row: R,
+    next_of_row: u16,
+    next_of_run: u16,
 }
 
-impl<R, const N: usize> GroupRow<R, N> {
+const NONE: u16 = u16::MAX;
+
+impl<R: Blank> Blank for Member<R> {
+    const BLANK: Self = Self { row: R::BLANK, next_of_row: 0, next_of_run: 0 };
+}
+
+impl<R: Blank, const N: usize> Blank for GroupRow<[Member<R>; N]> {
+    const BLANK: Self = Self { first_of_row: 0, first_of_run: 0, members: [Member::BLANK; N] };
+}
+
+impl<R, const N: usize> GroupRow<[Member<R>; N]> {
+    #[inline(always)]
+    pub(super) fn as_slice(&self) -> &GroupRow<[Member<R>]> {
+        self
+    }
+
+    #[inline(always)]
+    pub(super) fn as_slice_mut(&mut self) -> &mut GroupRow<[Member<R>]> {
+        self
+    }
+}
+
+/// Gets all elements ready for a picture.
+#[inline(never)]
+pub(super) fn view_each<P, T: Project<P>>(solids: &[T], rays: &P, views: &mut [T::View]) {
+    for (solid, view) in solids.iter().zip(views) {
+        solid.view(rays, view);
+    }
+}
+
+impl<R> GroupRow<[Member<R>]> {
+    #[inline(never)]
     pub(super) fn set<P, T: Project<P, Row = R>>(
         &mut self,
         solids: &[T],
@@ -173,13 +225,18 @@ impl<R, const N: usize> GroupRow<R, N> {
         y: i32,
         columns: u32,
     ) {
-        self.in_row = 0;
-        for ((index, solid), (view, element)) in
-            (0..).zip(solids).zip(views.iter().zip(&mut self.elements))
-        {
-            solid.row(view, y, columns, element);
-            if T::outlook(element, 0) != Outlook::EMPTY {
-                put(&mut self.of_row, &mut self.in_row, index);
+        let mut last = NONE;
+        self.first_of_row = NONE;
+        for (index, (solid, view)) in (0..).zip(solids.iter().zip(views)) {
+            let Some(member) = self.members.get_mut(usize::from(index)) else { break };
+            solid.row(view, y, columns, &mut member.row);
+            if T::outlook(&member.row, 0) != Outlook::EMPTY {
+                member.next_of_row = NONE;
+                match self.members.get_mut(usize::from(last)) {
+                    Some(last) => last.next_of_row = index,
+                    None => self.first_of_row = index,
+                }
+                last = index;
             }
         }
     }
@@ -187,12 +244,12 @@ impl<R, const N: usize> GroupRow<R, N> {
     #[inline(never)]
     pub(super) fn outlook<P, T: Project<P, Row = R>>(&self, column: u32) -> Outlook {
         let mut all = Outlook::EMPTY;
-        for element in listed(&self.of_row, self.in_row) {
-            if let Some(element) = self.elements.get(usize::from(*element)) {
-                let one = T::outlook(element, column);
-                all.is_there |= one.is_there;
-                all.until = all.until.min(one.until);
-            }
+        let mut index = self.first_of_row;
+        while let Some(member) = self.members.get(usize::from(index)) {
+            let one = T::outlook(&member.row, column);
+            all.is_there |= one.is_there;
+            all.until = all.until.min(one.until);
+            index = member.next_of_row;
         }
         all
     }
@@ -200,16 +257,22 @@ impl<R, const N: usize> GroupRow<R, N> {
     #[inline(never)] // once a run
     pub(super) fn enter<P, T: Project<P, Row = R>>(&mut self, column: u32) -> Outlook {
         let mut all = Outlook::EMPTY;
-        self.in_run = 0;
-        for &index in listed(&self.of_row, self.in_row) {
-            if let Some(element) = self.elements.get_mut(usize::from(index)) {
-                let one = T::enter(element, column);
-                all.until = all.until.min(one.until);
-                if one.is_there {
-                    all.is_there = true;
-                    put(&mut self.of_run, &mut self.in_run, index);
+        let (mut index, mut last) = (self.first_of_row, NONE);
+        self.first_of_run = NONE;
+        while let Some(member) = self.members.get_mut(usize::from(index)) {
+            let one = T::enter(&mut member.row, column);
+            let next = member.next_of_row;
+            all.until = all.until.min(one.until);
+            if one.is_there {
+                all.is_there = true;
+                member.next_of_run = NONE;
+                match self.members.get_mut(usize::from(last)) {
+                    Some(last) => last.next_of_run = index,
+                    None => self.first_of_run = index,
                 }
+                last = index;
             }
+            index = next;
         }
         all
     }
@@ -223,15 +286,37 @@ impl<R, const N: usize> GroupRow<R, N> {
         stack: &mut SpanStack<'_, T::Scalar>,
     ) {
         unite(solids.len(), T::FACES, first, stack, |index, face, stack| {
-            if let (Some(solid), Some(view), Some(row)) =
-                (solids.get(index), views.get(index), self.elements.get(index))
+            if let (Some(solid), Some(view), Some(member)) =
+                (solids.get(index), views.get(index), self.members.get(index))
             {
-                spans_inside(solid, view, row, column, face, stack);
+                spans_inside(solid, view, &member.row, column, face, stack);
             }
         });
     }
 
-    #[inline]
+    /// Calls `ask` with every element that matters in the present run of columns, and its index,
+    /// until it says that this is enough.
+    #[inline(always)]
+    fn ask_each<P, T: Project<P, Row = R>>(
+        &mut self,
+        solids: &[T],
+        views: &[T::View],
+        mut ask: impl FnMut(u16, &T, &T::View, &mut R) -> bool,
+    ) -> bool {
+        let mut index = self.first_of_run;
+        while let Some(member) = self.members.get_mut(usize::from(index)) {
+            let element = usize::from(index);
+            if let (Some(solid), Some(view)) = (solids.get(element), views.get(element))
+                && ask(index, solid, view, &mut member.row)
+            {
+                return true;
+            }
+            index = member.next_of_run;
+        }
+        false
+    }
+
+    #[inline(always)]
     pub(super) fn holds<P, T: Project<P, Row = R>>(
         &mut self,
         solids: &[T],
@@ -239,16 +324,23 @@ impl<R, const N: usize> GroupRow<R, N> {
         x: i32,
         t: T::Scalar,
     ) -> bool {
-        listed(&self.of_run, self.in_run).iter().any(|&index| {
-            let index = usize::from(index);
-            match (solids.get(index), views.get(index), self.elements.get_mut(index)) {
-                (Some(solid), Some(view), Some(row)) => solid.holds(view, row, x, t),
-                _ => false,
-            }
+        self.ask_each::<P, T>(solids, views, |_, solid, view, row| solid.holds(view, row, x, t))
+    }
+
+    #[inline(never)]
+    pub(super) fn holds_apart<P, T: Project<P, Row = R>>(
+        &mut self,
+        solids: &[T],
+        views: &[T::View],
+        x: i32,
+        t: T::Scalar,
+    ) -> bool {
+        self.ask_each::<P, T>(solids, views, |_, solid, view, row| {
+            solid.holds_apart(view, row, x, t)
         })
     }
 
-    #[inline]
+    #[inline(always)]
     pub(super) fn look<P, T: Project<P, Row = R>>(
         &mut self,
         solids: &[T],
@@ -258,22 +350,46 @@ impl<R, const N: usize> GroupRow<R, N> {
         first: Face,
     ) -> Look<T::Scalar> {
         let mut all = Look::EMPTY;
-        for &index in listed(&self.of_run, self.in_run) {
-            let element = usize::from(index);
-            if let (Some(solid), Some(view), Some(row)) =
-                (solids.get(element), views.get(element), self.elements.get_mut(element))
-            {
-                let one = solid.look(view, row, x, t, first.offset(index * T::FACES));
-                all.inside |= one.inside;
-                if one.next.t < all.next.t {
-                    all.next = one.next;
-                }
-            }
-        }
+        self.ask_each::<P, T>(solids, views, |index, solid, view, row| {
+            all.add(solid.look(view, row, x, t, first.offset(index * T::FACES)))
+        });
         // From outside of all elements, the first that is entered decides.
         if all.inside {
             return Look { next: self.exit(solids, views, x, all.next, first), ..all };
         }
+        all
+    }
+
+    #[inline(never)]
+    pub(super) fn look_apart<P, T: Project<P, Row = R>>(
+        &mut self,
+        solids: &[T],
+        views: &[T::View],
+        x: i32,
+        t: T::Scalar,
+        first: Face,
+    ) -> Look<T::Scalar> {
+        let all = self.look_at_each(solids, views, x, t, first);
+        if all.inside {
+            return Look { next: self.exit(solids, views, x, all.next, first), ..all };
+        }
+        all
+    }
+
+    /// Whether a ray is inside of any element, and the first crossing of one.
+    #[inline(never)]
+    fn look_at_each<P, T: Project<P, Row = R>>(
+        &mut self,
+        solids: &[T],
+        views: &[T::View],
+        x: i32,
+        t: T::Scalar,
+        first: Face,
+    ) -> Look<T::Scalar> {
+        let mut all = Look::EMPTY;
+        self.ask_each::<P, T>(solids, views, |index, solid, view, row| {
+            all.add(solid.look_apart(view, row, x, t, first.offset(index * T::FACES)))
+        });
         all
     }
 
@@ -288,20 +404,7 @@ impl<R, const N: usize> GroupRow<R, N> {
         first: Face,
     ) -> Crossing<T::Scalar> {
         while next.t < T::Scalar::HIGHEST {
-            let mut all = Look::EMPTY;
-            for &index in listed(&self.of_run, self.in_run) {
-                let element = usize::from(index);
-                if let (Some(solid), Some(view), Some(row)) =
-                    (solids.get(element), views.get(element), self.elements.get_mut(element))
-                {
-                    let face = first.offset(index * T::FACES);
-                    let one = look_apart(solid, view, row, x, next.t, face);
-                    all.inside |= one.inside;
-                    if one.next.t < all.next.t {
-                        all.next = one.next;
-                    }
-                }
-            }
+            let all = self.look_at_each(solids, views, x, next.t, first);
             if !all.inside {
                 break;
             }
@@ -311,17 +414,14 @@ impl<R, const N: usize> GroupRow<R, N> {
     }
 }
 
-/// The indices of a list that has so many.
-#[inline(always)]
-fn listed(list: &[u16], count: u16) -> &[u16] {
-    list.get(..usize::from(count)).unwrap_or(list)
-}
-
-/// Puts an index behind the first `count` of a list that has room for all there are.
-#[inline]
-fn put(list: &mut [u16], count: &mut u16, index: u16) {
-    if let Some(place) = list.get_mut(usize::from(*count)) {
-        *place = index;
-        *count += 1;
+impl<S: Scalar> Look<S> {
+    /// Of two solids, whether a ray is inside of either, and the first crossing.
+    #[inline(always)]
+    fn add(&mut self, one: Self) -> bool {
+        self.inside |= one.inside;
+        if one.next.t < self.next.t {
+            self.next = one.next;
+        }
+        false
     }
 }

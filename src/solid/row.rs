@@ -106,6 +106,25 @@ pub trait Project<R>: Shape {
         t: Self::Scalar,
         first: Face,
     ) -> Look<Self::Scalar>;
+
+    /// As [`holds`](Self::holds), where it is seldom: a call, where that is code in its place.
+    #[inline(never)]
+    fn holds_apart(&self, view: &Self::View, row: &mut Self::Row, x: i32, t: Self::Scalar) -> bool {
+        self.holds(view, row, x, t)
+    }
+
+    /// As [`look`](Self::look), where it is seldom.
+    #[inline(never)]
+    fn look_apart(
+        &self,
+        view: &Self::View,
+        row: &mut Self::Row,
+        x: i32,
+        t: Self::Scalar,
+        first: Face,
+    ) -> Look<Self::Scalar> {
+        self.look(view, row, x, t, first)
+    }
 }
 
 /// What lies behind some parameter of a ray.
@@ -120,19 +139,6 @@ pub struct Look<S> {
 impl<S: Scalar> Look<S> {
     /// Nothing is there.
     pub(super) const EMPTY: Self = Self { inside: false, next: Crossing::NEVER };
-}
-
-/// As [`Project::look`], where it is seldom.
-#[inline(never)]
-pub(super) fn look_apart<P, T: Project<P>>(
-    solid: &T,
-    view: &T::View,
-    row: &mut T::Row,
-    x: i32,
-    t: T::Scalar,
-    first: Face,
-) -> Look<T::Scalar> {
-    solid.look(view, row, x, t, first)
 }
 
 /// A convex primitive, seen along the rays `R`: at most one span in every column.
@@ -376,6 +382,27 @@ macro_rules! project_as_within {
             first: Face,
         ) -> $crate::solid::row::Look<Self::Scalar> {
             self.$field.look(view, row, x, t, first)
+        }
+
+        fn holds_apart(
+            &self,
+            view: &Self::View,
+            row: &mut Self::Row,
+            x: i32,
+            t: Self::Scalar,
+        ) -> bool {
+            self.$field.holds_apart(view, row, x, t)
+        }
+
+        fn look_apart(
+            &self,
+            view: &Self::View,
+            row: &mut Self::Row,
+            x: i32,
+            t: Self::Scalar,
+            first: Face,
+        ) -> $crate::solid::row::Look<Self::Scalar> {
+            self.$field.look_apart(view, row, x, t, first)
         }
     };
 }

@@ -1,6 +1,7 @@
 //! The columns in which rays from an eye can meet a solid, from where a quadratic in X is not
 //! negative.
 
+use super::strip::Rows;
 use crate::geom::{Affine, Extent, Pencil, Vec3};
 use crate::scalar::{Number, Real, Scalar};
 
@@ -91,6 +92,7 @@ pub struct PencilBall<S: Scalar> {
     pitch: S::Fine,
     /// What half a pixel adds to x or y: the pitch over the eye's distance.
     slope: S::Fine,
+    rows: Rows,
 }
 
 impl<S: Scalar> PencilBall<S> {
@@ -100,7 +102,29 @@ impl<S: Scalar> PencilBall<S> {
         let along = |direction: Vec3<S::Fine>| from_middle.dot_compensated(direction);
         let center = Vec3::new(along(plane.right), along(plane.down), along(plane.forward));
         let (pitch, slope) = (plane.pitch, plane.pitch * rays.convergence);
-        Self { center, radius, pitch, slope }
+        let rows = Self::rows(center, radius, rays.distance, slope);
+        Self { center, radius, pitch, slope, rows }
+    }
+
+    /// The rows that can meet the ball.
+    ///
+    /// Row s·z = y meets it where |y − s·z| ≤ r√(1 + s²), with its centre at (x, y, z) from the eye.
+    /// The root is at most 1 + |s|, so s lies between (y − r)/(z ± r) and (y + r)/(z ± r), with
+    /// the sign that makes that farther away.
+    fn rows(center: Vec3<S::Fine>, radius: S::Fine, distance: S::Fine, slope: S::Fine) -> Rows {
+        let far = center.z + distance;
+        let size = center.max_abs() + distance + radius;
+        // Three coordinates, each of which is as large as that.
+        let radius = radius + S::uncertainty(size + size + size);
+        let (nearest, farthest) = (far - radius, far + radius);
+        if !nearest.is_divisor() || nearest <= S::Fine::ZERO || !farthest.is_finite() {
+            return Rows::ALL;
+        }
+        let (low, high) = (center.y - radius, center.y + radius);
+        let low = low / if low < S::Fine::ZERO { nearest } else { farthest };
+        let high = high / if high < S::Fine::ZERO { farthest } else { nearest };
+        let at = Affine { middle: S::Fine::ZERO, step: slope };
+        Rows::between::<S>(at, [low, high], low.abs() + high.abs())
     }
 
     /// d in a row.
@@ -129,6 +153,11 @@ impl<S: Scalar> PencilBall<S> {
                 step: -(cy * self.slope),
             },
         ]
+    }
+
+    /// Whether a row can meet the ball.
+    pub(super) fn is_in_row(&self, y: i32) -> bool {
+        self.rows.contains(y)
     }
 
     pub(super) fn extent(&self, y: i32, columns: u32) -> Extent {

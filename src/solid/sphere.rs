@@ -161,7 +161,9 @@ impl<S: Scalar> Leaf<Pencil<S>> for Sphere<S> {
     }
 
     fn in_row(&self, view: &Self::View, y: i32, columns: u32) -> (Self::Row, Extent) {
-        let Some(view) = view else { return (None, Extent::EMPTY) };
+        let Some(view) = view.as_ref().filter(|view| view.is_in_row(y)) else {
+            return (None, Extent::EMPTY);
+        };
         let row = PencilRow {
             moment: view.moment(y),
             from_center: view.position(y),

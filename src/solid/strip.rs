@@ -78,6 +78,8 @@ pub struct Rows {
 }
 
 impl Rows {
+    pub(super) const ALL: Self = Self { first: i16::MIN, last: i16::MAX };
+
     /// The rows in which `low ≤ length ≤ high` may hold, as in [`columns_between`].
     pub(super) fn between<S: Scalar>(
         length: Affine<S::Fine>,

@@ -106,7 +106,7 @@ impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
         if let Kind::Across(_) = row.kind {
             let [_, along, _] = view.second;
             let middle = row.second.after_steps(along, x);
-            [S::from_fine(middle - view.reach), S::from_fine(middle + view.reach)]
+            middle.around(view.reach).map(S::from_fine)
         } else {
             [S::LOWEST, S::HIGHEST]
         }
@@ -139,7 +139,7 @@ impl<S: Scalar> Cylinder<S> {
         let distance = S::from_fine(row.first.after_steps(right, x));
         let half = S::leg(self.tube.radius, distance)?.stretched(view.stretch);
         let middle = row.second.after_steps(along, x);
-        Some([S::from_fine(middle - half), S::from_fine(middle + half)])
+        Some(middle.around(half).map(S::from_fine))
     }
 
     /// Of rays along the axis, or along the caps.

@@ -26,12 +26,15 @@ impl<S: Scalar> Tube<S> {
     /// The outward normal at a point of the wall: (0, y, z)/r in the cylinder's own frame.
     pub(in crate::solid) fn normal(&self, axis: &Direction<S>, at: Vec3<S>) -> Vec3<S> {
         let u = at - self.base;
-        let across = match axis.along() {
-            Some(Axis::X) => Vec3 { x: S::ZERO, ..u },
-            Some(Axis::Y) => Vec3 { y: S::ZERO, ..u },
-            Some(Axis::Z) => Vec3 { z: S::ZERO, ..u },
-            None => u - axis.times(axis.dot(u)),
+        let scaled = |coordinate: S| coordinate.scaled(self.curvature);
+        let Some(along) = axis.along() else {
+            return (u - axis.times(axis.dot(u))).map(scaled);
         };
-        across.map(|coordinate| coordinate.scaled(self.curvature))
+        let [first, second] = along.across(u).map(scaled);
+        match along {
+            Axis::X => Vec3::new(S::ZERO, first, second),
+            Axis::Y => Vec3::new(second, S::ZERO, first),
+            Axis::Z => Vec3::new(first, second, S::ZERO),
+        }
     }
 }

@@ -1,7 +1,8 @@
-//! Products of whole numbers with more bits than a word has.
+//! Whole numbers with more bits than a word has, on cores that have nothing for them.
 //!
 //! A Cortex-M0 multiplies 32 by 32 bits to 32, and its run-time library makes 64 bits out of 64 by
-//! 64, which is twice what is needed here. Other cores have an instruction.
+//! 64, which is twice what is needed here. Its shifts of 64 bits are calls, and it counts no leading
+//! zeros. Other cores have instructions.
 
 /// `a · b`.
 #[inline]
@@ -19,6 +20,22 @@ pub(crate) const fn unsigned_product(a: u32, b: u32) -> u64 {
 #[inline]
 pub(crate) const fn steps(step: i64, count: i32) -> i64 {
     if IS_NARROW { steps_of_halves(step, count) } else { step.wrapping_mul(count as i64) }
+}
+
+/// `value >> by`, for shifts by less than 64 bits.
+#[inline]
+pub(crate) const fn shifted(value: i64, by: u32) -> i64 {
+    if IS_NARROW { shifted_words(value, by) } else { value >> by }
+}
+
+/// The zeros in front of the first one.
+#[inline]
+pub(crate) const fn leading_zeros(value: u64) -> u32 {
+    // A call for each word, where it's a call: so of one word only.
+    match (value >> 32) as u32 {
+        0 => 32 + (value as u32).leading_zeros(),
+        high => high.leading_zeros(),
+    }
 }
 
 /// Whether the core has no wide product: of those that Rust compiles for, ARMv6-M. It is the one
@@ -58,6 +75,19 @@ const fn steps_of_halves(step: i64, count: i32) -> i64 {
     }
 }
 
+#[inline]
+const fn shifted_words(value: i64, by: u32) -> i64 {
+    let (high, low) = ((value >> 32) as i32, value as u32);
+    let (high, low) = if by == 0 {
+        (high, low)
+    } else if by < 32 {
+        (high >> by, low >> by | high.cast_unsigned() << (32 - by))
+    } else {
+        (high >> 31, (high >> (by & 31)).cast_unsigned())
+    };
+    (high as i64) << 32 | low as i64
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -69,6 +99,11 @@ mod tests {
             prop_assert_eq!(signed_of_halves(a, b), i64::from(a) * i64::from(b));
             let (x, y) = (a.cast_unsigned(), b.cast_unsigned());
             prop_assert_eq!(product_of_halves(x, y), u64::from(x) * u64::from(y));
+            for by in 0..64 {
+                prop_assert_eq!(shifted_words(step, by), step >> by);
+            }
+            let unsigned = step.cast_unsigned() >> (b & 63);
+            prop_assert_eq!(leading_zeros(unsigned), unsigned.leading_zeros());
             for count in [a, small] {
                 let want = step.wrapping_mul(i64::from(count));
                 prop_assert_eq!(steps_of_halves(step, count), want);
