@@ -1,5 +1,6 @@
 //! The arithmetic of splines: what number types do in ways of their own.
 
+use super::weights::Weigh;
 use crate::scalar::Scalar;
 use core::fmt::Debug;
 
@@ -8,7 +9,7 @@ use core::fmt::Debug;
 /// Inside of an evaluation, numbers are of the type `Inner`: in floating point the type itself; in
 /// fixed point 64 bits, of which 28 are guard bits. So a value is rounded once. Basis functions are
 /// computed in twice the working precision: their errors are relative, and nothing waits for them.
-pub trait Blend: Scalar {
+pub trait Blend: Scalar + Weigh {
     /// A number inside of an evaluation.
     #[doc(hidden)]
     type Inner: Copy + Debug + PartialEq + PartialOrd;

@@ -3,6 +3,7 @@
 use super::InsertError;
 use super::curve::Curve;
 use super::domain::Outside;
+use super::knots::Knots;
 use super::point::{Point, combine, inner, outer};
 use super::{EvaluateError, blend::Blend};
 
@@ -73,9 +74,8 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
             let before = i.checked_sub(1).filter(|_| i > place);
             *new = before.and_then(|i| self.knots.knots.get(i)).copied().unwrap_or(knot);
         }
-        self.knots.knots = new_knots;
-        self.knots.length += 1;
-        self.points = new_points;
+        let length = self.knots.length + 1;
+        self.replace(Knots { knots: new_knots, length }, new_points);
         Ok(())
     }
 }

@@ -46,6 +46,7 @@ mod knots;
 mod long;
 mod point;
 mod sweep;
+mod weights;
 
 pub use baked::Baked;
 pub use basis::NonZero;

@@ -87,12 +87,6 @@ fn alternating(random: &mut Random, i: usize) -> f64 {
 }
 
 impl Set {
-    /// Whether a target names such curves for the editable form as well. The hardest ones, always
-    /// clamped, are there for the baked form: an editable quadratic is up to 1.52 ulps off.
-    pub fn judges_editable(&self) -> bool {
-        !self.is_clamped
-    }
-
     /// The same curves every time.
     pub fn cases(&self, order: usize, count: usize) -> Vec<Case> {
         let mut random = Random::named(self.name);
