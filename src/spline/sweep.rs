@@ -28,29 +28,40 @@ pub struct Sweep<'a, P: Point, const K: usize> {
     ticks: u32,
     /// (k−1)! T^(k−1).
     divisor: u32,
-    /// The span, and the next tick in it.
+    /// The next span.
     span: usize,
-    tick: u32,
-    /// The value and its differences.
-    differences: [P::Array<Quotient>; K],
+    /// How many points are left before it begins.
+    left: u32,
+    /// Of each coordinate, the value and its differences.
+    differences: P::Array<[Quotient; K]>,
 }
 
 /// `whole + rest/divisor`, with the whole part modulo 2³²: only that of the value has to fit.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Quotient {
+struct Quotient {
     whole: i32,
     rest: u32,
 }
 
 impl Quotient {
+    const ZERO: Self = Self { whole: 0, rest: 0 };
+
     #[inline]
     fn add(&mut self, other: Self, divisor: u32) {
         // Both are below the divisor, which is below 2³¹.
-        let rest = self.rest.wrapping_add(other.rest);
-        let carry = rest >= divisor;
-        self.rest = if carry { rest.wrapping_sub(divisor) } else { rest };
-        self.whole = self.whole.wrapping_add(other.whole).wrapping_add(i32::from(carry));
+        self.rest = self.rest.wrapping_add(other.rest);
+        self.whole = self.whole.wrapping_add(other.whole);
+        if self.rest >= divisor {
+            self.rest = self.rest.wrapping_sub(divisor);
+            self.whole = self.whole.wrapping_add(1);
+        }
+    }
+
+    fn subtract(&mut self, other: Self, divisor: u32) {
+        let borrow = self.rest < other.rest;
+        let more = if borrow { divisor } else { 0 };
+        self.rest = self.rest.wrapping_sub(other.rest).wrapping_add(more);
+        self.whole = self.whole.wrapping_sub(other.whole).wrapping_sub(i32::from(borrow));
     }
 }
 
@@ -87,27 +98,42 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
         if divisor > 1 << 31 || (ticks as usize) < K - 1 || ticks == 0 {
             return Err(SweepError::Ticks);
         }
-        let nothing = P::map(P::ORIGIN.coordinates(), |_| Quotient { whole: 0, rest: 0 });
         let mut sweep = Self {
             points,
             is_closed,
             ticks,
             divisor: divisor as u32,
             span: 0,
-            tick: 0,
-            differences: [nothing; K],
+            left: 0,
+            differences: P::map(P::ORIGIN.coordinates(), |_| [Quotient::ZERO; K]),
         };
         sweep.enter();
         Ok(sweep)
     }
 
+    /// Goes on to the next span; at the end of an open curve to its last point, and then to nothing.
+    #[cold]
+    fn turn(&mut self) -> Option<()> {
+        let spans = if self.is_closed { self.points.len() } else { self.points.len() + 1 - K };
+        if self.span < spans {
+            self.enter();
+        } else if self.is_closed {
+            self.span = 0;
+            self.enter();
+        } else {
+            self.left = u32::from(self.span == spans);
+            self.span = spans + 1;
+        }
+        (self.left > 0).then_some(())
+    }
+
     /// The value and its differences at the beginning of a span.
     fn enter(&mut self) {
-        self.tick = 0;
-        let divisor = i64::from(self.divisor);
         let (points, span) = (self.points, self.span);
-        for (at, value) in self.differences.iter_mut().enumerate() {
-            let weights = weights::<K>(i64::from(self.ticks), at as i64);
+        (self.span, self.left) = (span + 1, self.ticks);
+        let divisor = i64::from(self.divisor);
+        for tick in 0..K {
+            let weights = weights::<K>(i64::from(self.ticks), tick as i64);
             let from_span = points.iter().cycle().skip(span);
             let mut sums = P::map(P::ORIGIN.coordinates(), |_| 0i64);
             for (weight, point) in weights.iter().zip(from_span) {
@@ -115,47 +141,29 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
                     *sum = sum.wrapping_add(weight.wrapping_mul(i64::from(x.to_bits())));
                 }
             }
-            *value = P::map(sums, |sum| {
+            for (values, sum) in self.differences.as_mut().iter_mut().zip(sums.as_ref()) {
                 // Halves are rounded upwards.
                 let sum = sum.wrapping_add(divisor / 2);
                 let whole = sum.checked_div_euclid(divisor).unwrap_or(0);
                 let rest = sum.wrapping_sub(whole.wrapping_mul(divisor));
-                Quotient { whole: whole as i32, rest: rest as u32 }
-            });
+                if let Some(value) = values.get_mut(tick) {
+                    *value = Quotient { whole: whole as i32, rest: rest as u32 };
+                }
+            }
         }
         // Values at ticks 0 … k−1 become differences at tick 0.
-        for level in 1..K {
-            let mut before: Option<P::Array<Quotient>> = None;
-            for (i, value) in self.differences.iter_mut().enumerate() {
-                let own = *value;
-                if let Some(before) = before.filter(|_| i >= level) {
-                    subtract::<P>(value, before, self.divisor);
+        for values in self.differences.as_mut() {
+            for level in 1..K {
+                let mut before: Option<Quotient> = None;
+                for (i, value) in values.iter_mut().enumerate() {
+                    let own = *value;
+                    if let Some(before) = before.filter(|_| i >= level) {
+                        value.subtract(before, self.divisor);
+                    }
+                    before = Some(own);
                 }
-                before = Some(own);
             }
         }
-    }
-
-    /// Every difference becomes that of the next tick.
-    #[inline]
-    fn advance(&mut self) {
-        let divisor = self.divisor;
-        let mut later = self.differences.iter_mut();
-        let Some(mut own) = later.next() else { return };
-        for next in later {
-            for (x, difference) in own.as_mut().iter_mut().zip(next.as_ref()) {
-                x.add(*difference, divisor);
-            }
-            own = next;
-        }
-    }
-}
-
-fn subtract<P: Point>(value: &mut P::Array<Quotient>, other: P::Array<Quotient>, divisor: u32) {
-    for (x, y) in value.as_mut().iter_mut().zip(other.as_ref()) {
-        let borrow = x.rest < y.rest;
-        x.rest = x.rest.wrapping_sub(y.rest).wrapping_add(if borrow { divisor } else { 0 });
-        x.whole = x.whole.wrapping_sub(y.whole).wrapping_sub(i32::from(borrow));
     }
 }
 
@@ -188,22 +196,21 @@ impl<F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Iterator for S
 
     #[inline]
     fn next(&mut self) -> Option<P> {
-        if self.tick == self.ticks {
-            let spans = if self.is_closed { self.points.len() } else { self.points.len() + 1 - K };
-            let next = self.span + 1;
-            if next < spans {
-                self.span = next;
-                self.enter();
-            } else if self.is_closed {
-                self.span = 0;
-                self.enter();
-            }
-        } else if self.tick > self.ticks {
-            return None;
+        if self.left == 0 {
+            self.turn()?;
         }
-        self.tick += 1;
-        let value = *self.differences.first()?;
-        self.advance();
-        Some(P::from_coordinates(P::map(value, |x| FixedI32::from_bits(x.whole))))
+        self.left -= 1;
+        let mut point = P::ORIGIN.coordinates();
+        // Every difference becomes that of the next tick.
+        for (x, values) in point.as_mut().iter_mut().zip(self.differences.as_mut()) {
+            let mut values = values.iter_mut();
+            let mut own = values.next()?;
+            *x = FixedI32::from_bits(own.whole);
+            for next in values {
+                own.add(*next, self.divisor);
+                own = next;
+            }
+        }
+        Some(P::from_coordinates(point))
     }
 }

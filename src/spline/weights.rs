@@ -153,11 +153,16 @@ impl Bake<f32> {
     const fn cell<const K: usize, const N: usize>(knots: &[f32; N], span: usize) -> Cell<K> {
         let (start, end) = (knots[span], knots[span + 1]);
         let width = Long::sum(end as f64, -(start as f64));
-        // The width times the scale is at least 2³⁰, and below 2³¹.
-        let scale = power(width.round()) * (1u64 << 31) as f64;
+        // Half of the width times the scale is above 2²⁹, and 2³⁰ for a power of two. Then numbers are
+        // exact where they can be, and the end of the span is cut off at 2³¹ − 1.
+        let mut scale = power(width.round()) * (1u64 << 31) as f64;
+        if width.scaled(scale).round() == (1u64 << 30) as f64 {
+            scale *= 2.0;
+        }
         let half = width.scaled(scale / 2.0).whole();
-        // A little less, so that nothing overflows when products are cut off.
-        let factor = (((1u64 << 31) - 32) << 29) / half.unsigned_abs();
+        // Elsewhere the end is rounded, perhaps upwards.
+        let most = if half == 1 << 30 { half } else { half + 1 };
+        let factor = (1u64 << 60) / most.unsigned_abs();
         // What −1/2 to 1/2 times 2³² stands for.
         let unit = (1u64 << 61) as f64 / (scale * factor as f64);
         let middle = Long::from(half as f64).scaled(1.0 / scale);
@@ -222,8 +227,8 @@ impl Bake<f32> {
             let first = cell.first as usize;
             let mut power = 0;
             while power < K {
-                // Halves are rounded upwards; and half a unit makes up for products that are cut off.
-                let mut sum = if power > 0 { 1 << 31 } else { 1 << 30 };
+                // Halves are rounded upwards.
+                let mut sum = 1 << 30;
                 let mut i = 0;
                 while i < K && first + i < C {
                     sum += cell.weights[power][i] as i64 * wholes[first + i];
