@@ -33,7 +33,7 @@ type Parts<P, const K: usize> = <<P as Point>::Scalar as Blend>::Parts<Piece<P, 
 #[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Piece<P: Point, const K: usize> {
-    start: P::Scalar,
+    start: Key<P>,
     frame: <P::Scalar as Blend>::Frame,
     /// Of y^{k−1} first.
     coefficients: [P::Array<<P::Scalar as Blend>::Coefficient>; K],
@@ -68,7 +68,7 @@ macro_rules! bake {
                 let from = knots.knots[0];
                 let mut end = Bake::<$Scalar>::key(from);
                 let mut pieces = [[Piece {
-                    start: from,
+                    start: end,
                     frame: Bake::<$Scalar>::EMPTY,
                     coefficients: [[Bake::<$Scalar>::ZERO; $D]; K],
                     base: [Bake::<$Scalar>::NO_BASE; $D],
@@ -94,7 +94,7 @@ macro_rules! bake {
                         }
                         i += 1;
                     }
-                    starts[piece] = Bake::<$Scalar>::key(pieces[piece][0].start);
+                    starts[piece] = pieces[piece][0].start;
                     piece += 1;
                     part += 1;
                     end = Bake::<$Scalar>::key(high);
@@ -133,6 +133,7 @@ macro_rules! bake {
                 }
                 match Bake::<$Scalar>::coefficients(polynomials, frame) {
                     Ok((frame, coefficients, base)) => {
+                        let start = Bake::<$Scalar>::key(start);
                         Ok(Piece { start, frame, coefficients, base })
                     }
                     Err(error) => Err(error),
@@ -177,7 +178,7 @@ impl<P: Point, const K: usize, const SPANS: usize> Baked<P, K, SPANS> {
         let key = t.key();
         let is_inside = self.starts.first().is_some_and(|from| *from <= key) && key <= self.end;
         let t = if is_inside { t } else { self.domain().place(t, outside)? };
-        Ok(self.piece(t).map_or(P::ORIGIN, |piece| piece.value(t)))
+        Ok(self.piece(t.key()).map_or(P::ORIGIN, |piece| piece.value(t)))
     }
 
     /// A derivative of the curve by its parameter; of order 0 it is the value, of order `K` or more
@@ -201,7 +202,7 @@ impl<P: Point, const K: usize, const SPANS: usize> Baked<P, K, SPANS> {
         outside: Outside,
     ) -> Result<P, EvaluateError> {
         let t = self.domain().place(t, outside)?;
-        let Some(piece) = self.piece(t).filter(|_| order < K) else {
+        let Some(piece) = self.piece(t.key()).filter(|_| order < K) else {
             return Ok(P::ORIGIN);
         };
         piece.derivative(order, t).ok_or(EvaluateError::Overflow)
@@ -209,15 +210,18 @@ impl<P: Point, const K: usize, const SPANS: usize> Baked<P, K, SPANS> {
 
     /// The piece at a parameter, or nearest to it.
     #[inline]
-    fn piece(&self, t: P::Scalar) -> Option<&Piece<P, K>> {
-        let key = t.key();
+    fn piece(&self, key: Key<P>) -> Option<&Piece<P, K>> {
         let mut spans = self.starts.iter().zip(&self.pieces);
         let (_, first) = spans.next()?;
         // Without a jump, and without an index that would have to be checked.
         let parts =
             spans.fold(first, |at, (start, parts)| select_unpredictable(*start <= key, parts, at));
-        let later = parts.as_ref().iter().skip(1);
-        parts.as_ref().get(later.map(|piece| P::Scalar::step(t, piece.start)).sum::<usize>())
+        let (first, later) = parts.as_ref().split_first()?;
+        Some(
+            later
+                .iter()
+                .fold(first, |at, piece| select_unpredictable(piece.start <= key, piece, at)),
+        )
     }
 }
 
@@ -253,13 +257,14 @@ impl<P: Point, const K: usize> Piece<P, K> {
 
     /// At any parameter.
     fn derivative(&self, order: usize, t: P::Scalar) -> Option<P> {
+        let start = P::Scalar::from_key(self.start);
         let mut point = P::ORIGIN.coordinates();
         for (d, (x, base)) in point.as_mut().iter_mut().zip(self.base.as_ref()).enumerate() {
             let powers = self.coefficients.iter().rev().enumerate().rev();
             let terms = powers
                 .take_while(|(power, _)| *power >= order)
                 .filter_map(|(power, of)| Some((power, *of.as_ref().get(d)?)));
-            *x = P::Scalar::extended(terms, *base, order, t, self.start, &self.frame)?;
+            *x = P::Scalar::extended(terms, *base, order, t, start, &self.frame)?;
         }
         Some(P::from_coordinates(point))
     }
