@@ -9,7 +9,7 @@ use scancsg::render::{Gray8, Lambert, Picture, PixelFormat, Size};
 use scancsg::scalar::I16F16;
 use scancsg::solid::Solid;
 use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
-use scancsg::spline::{Baked, Curve, Knots, Outside, Sweep};
+use scancsg::spline::{Baked, Curve, Knots, NonZero, Outside, Sweep};
 use scancsg::stream::{Decoder, encode_row, packet_capacity};
 
 #[cfg(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16"))))]
@@ -17,22 +17,27 @@ pub type Number = f32;
 #[cfg(not(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16")))))]
 pub type Number = I16F16;
 
-/// Something to be counted: `work` does it as often as its argument says.
+/// Something to be counted: `work` does it as often as its argument says. What `idle` takes is not
+/// counted: the same loop around nothing, with the same arguments and a place for the result.
 pub struct Part {
     pub name: &'static str,
     pub work: extern "C" fn(u32),
+    pub idle: extern "C" fn(u32),
 }
 
+/// For parts that are counted with the loop around them.
+extern "C" fn nothing(_: u32) {}
+
 pub const PARTS: &[Part] = &[
-    Part { name: "cylinder: ray and query", work: cylinder_ray_and_query },
-    Part { name: "cylinder: query", work: cylinder_query },
-    Part { name: "merge of 4 and 4 spans", work: merge_spans },
-    Part { name: "encode a row", work: encode },
-    Part { name: "decode a row", work: decode },
-    Part { name: "spline: editable point", work: editable_point },
-    Part { name: "spline: baked point", work: baked_point },
-    Part { name: "spline: basis functions", work: basis_functions },
-    Part { name: "spline: step of a sweep", work: sweep_step },
+    Part { name: "cylinder: ray and query", work: cylinder_ray_and_query, idle: nothing },
+    Part { name: "cylinder: query", work: cylinder_query, idle: nothing },
+    Part { name: "merge of 4 and 4 spans", work: merge_spans, idle: nothing },
+    Part { name: "encode a row", work: encode, idle: nothing },
+    Part { name: "decode a row", work: decode, idle: nothing },
+    Part { name: "spline: editable point", work: editable_point, idle: idle_points },
+    Part { name: "spline: baked point", work: baked_point, idle: idle_points },
+    Part { name: "spline: basis functions", work: basis_functions, idle: idle_points },
+    Part { name: "spline: step of a sweep", work: sweep_step, idle: idle_steps },
 ];
 
 /// A picture: its view alone, its view and the row that the argument says, and all of it.
@@ -233,32 +238,66 @@ fn parameters() -> [Number; 16] {
     core::array::from_fn(|i| Number::hundredths((i as i32 * 7 % 16) * 31 + 5))
 }
 
+// Each is a function of its own, so that its call, its return, and what it does for its arguments and
+// its result are counted, and the loop is not.
 macro_rules! splines {
-    ($($name:ident: $spline:expr, |$part:ident, $t:ident| $value:expr;)+) => {$(
+    ($($name:ident: $Spline:ty = $spline:expr, $Result:ty = |$part:ident, $t:ident| $value:expr;)+) => {$(
         #[inline(never)]
         extern "C" fn $name(times: u32) {
-            let ($part, parameters) = (black_box($spline), black_box(parameters()));
+            #[inline(never)]
+            fn value($part: $Spline, $t: Number) -> $Result {
+                $value
+            }
+            let (part, parameters) = (black_box($spline), black_box(parameters()));
             for i in 0..times {
-                let $t = parameters[i as usize % 16];
-                black_box($value);
+                let t = parameters[i as usize % 16];
+                black_box(&value(part, black_box(t)));
             }
         }
     )+};
 }
 
 splines! {
-    editable_point: &PATH, |curve, t| curve.value(t, Outside::Clamp).unwrap_or(Vec3::ZERO);
-    baked_point: &BAKED, |curve, t| curve.value(t, Outside::Clamp).unwrap_or(Vec3::ZERO);
-    basis_functions: &KNOTS, |knots, t| knots.non_zero(t);
+    editable_point: &Curve<Vec3<Number>, 4, 8, 12> = &PATH, Vec3<Number> =
+        |curve, t| curve.value(t, Outside::Clamp).unwrap_or(Vec3::ZERO);
+    baked_point: &Baked<Vec3<Number>, 4, { KNOTS.spans() }> = &BAKED, Vec3<Number> =
+        |curve, t| curve.value(t, Outside::Clamp).unwrap_or(Vec3::ZERO);
+    basis_functions: &Knots<Number, 4, 12> = &KNOTS, Option<NonZero<Number, 4>> =
+        |knots, t| knots.non_zero(t);
 }
 
-/// In fixed point on every board: sweeps know nothing else.
+#[inline(never)]
+extern "C" fn idle_points(times: u32) {
+    let (parameters, point) = (black_box(parameters()), Vec3::<Number>::ZERO);
+    for i in 0..times {
+        black_box(parameters[i as usize % 16]);
+        black_box(&point);
+    }
+}
+
+/// Control points of a sweep, in fixed point on every board: sweeps know nothing else.
+fn sweep_points() -> [Vec3<I16F16>; 4] {
+    let points = [[0, 0, 0], [4, 8, -4], [12, 4, 2], [16, -8, 4]];
+    black_box(points.map(|point| Vec3::from(point.map(I16F16::from_num))))
+}
+
 #[inline(never)]
 extern "C" fn sweep_step(times: u32) {
-    let points = [[0, 0, 0], [4, 8, -4], [12, 4, 2], [16, -8, 4]];
-    let points = black_box(points.map(|point| Vec3::from(point.map(I16F16::from_num))));
+    #[inline(never)]
+    fn step(sweep: &mut Sweep<'_, Vec3<I16F16>, 4>) -> Option<Vec3<I16F16>> {
+        sweep.next()
+    }
+    let points = sweep_points();
     let Ok(mut sweep) = Sweep::<_, 4>::new(&points, 64) else { return };
     for _ in 0..times {
-        black_box(sweep.next());
+        black_box(&step(&mut sweep));
+    }
+}
+
+#[inline(never)]
+extern "C" fn idle_steps(times: u32) {
+    let point = Some(Vec3::<I16F16>::ZERO);
+    for _ in 0..times {
+        black_box(&point);
     }
 }
