@@ -27,7 +27,8 @@ use std::process::ExitCode;
 /// Measures time and error of several methods of casting a ray at a cylinder, on 31 sets of rays, and
 /// of evaluating B-splines.
 ///
-/// Prints tables and writes docs/speed_vs_error.csv, .md and .svg, and speed_vs_error_splines.csv.
+/// Prints tables and writes docs/speed_vs_error.csv, docs/speed_vs_error_splines.csv,
+/// docs/speed_vs_error.md and docs/speed_vs_error.svg.
 #[derive(Parser)]
 #[command(name = "speed_vs_error", bin_name = "cargo bench --bench speed_vs_error --")]
 struct Args {
@@ -72,7 +73,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     let markdown = report::markdown(&results) + &splines::markdown(&splines);
     fs::write(folder.join("speed_vs_error.md"), markdown)?;
     fs::write(folder.join("speed_vs_error_splines.csv"), splines::csv(&splines))?;
-    plot::write(&results, &folder.join("speed_vs_error.svg"))?;
+    plot::write(&results, &splines, &folder.join("speed_vs_error.svg"))?;
 
     let mut failed = false;
     for shipped in methods::SHIPPED {

@@ -4,6 +4,7 @@ use crate::accuracy::percentiles;
 use crate::methods::ULP;
 use crate::rays::Group;
 use crate::results::{Results, Row};
+use crate::splines;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use std::error::Error;
@@ -63,20 +64,26 @@ struct Mark {
     reliable: bool,
 }
 
-pub fn write(results: &Results, path: &Path) -> Result<(), Box<dyn Error>> {
+pub fn write(
+    results: &Results,
+    splines: &splines::Results,
+    path: &Path,
+) -> Result<(), Box<dyn Error>> {
     let panels = PANELS.map(|panel| (marks(results, panel.shows), panel));
     let all = || panels.iter().flat_map(|(marks, _)| marks);
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(10.0, f64::max);
     let ratio_limit = 1.6 * largest(&mut all().map(|mark| mark.ratio));
     let error_limit = 4.0 * largest(&mut all().map(|mark| mark.error).filter(|e| e.is_finite()));
 
-    let root = SVGBackend::new(path, (900, 880)).into_drawing_area();
+    let root = SVGBackend::new(path, (900, 1240)).into_drawing_area();
     root.fill(&WHITE)?;
-    let (plots, legend) = root.split_vertically(720);
+    let (rays, splines_area) = root.split_vertically(880);
+    let (plots, legend) = rays.split_vertically(720);
     for (area, (marks, panel)) in plots.split_evenly((2, 2)).iter().zip(&panels) {
         draw_panel(area, panel, marks, results, [ratio_limit, error_limit])?;
     }
     draw_legend(&legend, results)?;
+    splines::draw(&splines_area, splines)?;
     root.present()?;
     Ok(())
 }

@@ -2,10 +2,11 @@
 
 use super::bake::{Bake, polynomial};
 use super::blend::Blend;
-use super::curve::{Curve, Shape, direction};
+use super::curve::{Curve, direction};
 use super::domain::{Domain, Outside};
 use super::long::Long;
 use super::point::Point;
+use super::shape::Shape;
 use super::{CurveError, EvaluateError};
 use crate::geom::Vec3;
 use crate::scalar::{Check, FixedI32, Fraction};
@@ -267,15 +268,5 @@ impl<P: Point, const K: usize> Piece<P, K> {
             *x = P::Scalar::extended(terms, *base, order, t, start, &self.frame)?;
         }
         Some(P::from_coordinates(point))
-    }
-}
-
-#[cfg(feature = "defmt")]
-impl<P: Point, const K: usize, const SPANS: usize> defmt::Format for Baked<P, K, SPANS>
-where
-    P::Scalar: defmt::Format,
-{
-    fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "Baked of {} spans, order {}, {}", SPANS, K, self.domain());
     }
 }

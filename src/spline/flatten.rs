@@ -18,29 +18,29 @@ pub struct Vertex<P: Point> {
 /// The vertices of a polyline that approximates a curve: see [`Curve::flatten`].
 #[derive(Debug, Clone)]
 pub struct Flatten<'a, P: Point, const K: usize> {
-    walk: Walk<'a, P, K>,
+    pub(super) walk: Walk<'a, P, K>,
 }
 
 /// The lengths of a curve from its beginning up to the vertices of a polyline: see
 /// [`Curve::lengths`].
 #[derive(Debug, Clone)]
 pub struct Lengths<'a, P: Point, const K: usize> {
-    walk: Walk<'a, P, K>,
+    pub(super) walk: Walk<'a, P, K>,
     last: Option<Inner<P>>,
     length: <P::Scalar as Blend>::Inner,
 }
 
 /// From vertex to vertex.
 #[derive(Debug, Clone)]
-struct Walk<'a, P: Point, const K: usize> {
+pub(super) struct Walk<'a, P: Point, const K: usize> {
     knots: &'a [P::Scalar],
     points: &'a [P],
     tolerance: P::Scalar,
-    span: usize,
+    pub(super) span: usize,
     /// Of this span; 0 before it is known.
     segments: u32,
     /// The next vertex of this span.
-    next: u32,
+    pub(super) next: u32,
 }
 
 impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N> {

@@ -35,16 +35,20 @@ mod bake;
 mod baked;
 mod basis;
 mod blend;
+mod construct;
 mod curve;
 mod domain;
 mod error;
 mod fixed;
 mod flatten;
 mod float;
+#[cfg(feature = "defmt")]
+mod format;
 mod insert;
 mod knots;
 mod long;
 mod point;
+mod shape;
 mod sweep;
 mod weights;
 

@@ -29,9 +29,9 @@ pub struct Sweep<'a, P: Point, const K: usize> {
     /// (k−1)! T^(k−1).
     divisor: u32,
     /// The next span.
-    span: usize,
+    pub(super) span: usize,
     /// How many points are left before it begins.
-    left: u32,
+    pub(super) left: u32,
     /// Of each coordinate, the value and its differences.
     differences: P::Array<[Quotient; K]>,
 }

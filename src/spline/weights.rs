@@ -261,7 +261,7 @@ impl Weigh for f32 {
         Bake::<Self>::lane(cells, coordinates)
     }
 
-    #[inline]
+    #[inline(always)]
     fn at<P: Point<Scalar = Self>, const K: usize, const C: usize>(
         cells: &Cells<K, C>,
         polynomials: &[[P::Array<i32>; K]; C],

@@ -9,3 +9,4 @@ mod number;
 mod properties;
 mod reference;
 mod sweeps;
+mod table;

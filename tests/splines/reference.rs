@@ -2,36 +2,8 @@
 
 use super::exact::{self, Ratio};
 use super::number::{Numeric, error};
+use super::table::{Row, rows};
 use scancsg::scalar::I16F16;
-
-struct Row {
-    group: &'static str,
-    order: usize,
-    knots: Vec<Ratio>,
-    index: usize,
-    t: Ratio,
-    derivative: usize,
-    value: Ratio,
-}
-
-fn rows() -> Vec<Row> {
-    let parse = |line: &'static str| {
-        let field: Vec<&str> = line.split(',').collect();
-        Row {
-            group: field[1],
-            order: field[2].parse().unwrap(),
-            knots: field[3].split(' ').map(Ratio::parse).collect(),
-            index: field[4].parse().unwrap(),
-            t: Ratio::parse(field[5]),
-            derivative: field[6].parse().unwrap(),
-            value: Ratio::parse(field[7]),
-        }
-    };
-    let text = include_str!("../reference/bspline_basis.csv");
-    let rows: Vec<Row> = text.lines().skip(1).map(parse).collect();
-    assert_eq!(rows.len(), 577);
-    rows
-}
 
 /// The basis functions of any order that the table has.
 fn basis<S: Numeric>(row: &Row) -> S {
@@ -60,7 +32,9 @@ fn basis<S: Numeric>(row: &Row) -> S {
 fn worst<S: Numeric>(name: &str, is_in: impl Fn(&Row) -> bool, limits: [f64; 2]) {
     let mut worst = [0f64; 2];
     let mut count = 0;
-    for row in rows().iter().filter(|row| is_in(row)) {
+    let rows = rows().unwrap();
+    assert_eq!(rows.len(), 577);
+    for row in rows.iter().filter(|row| is_in(row)) {
         let at = exact::span(&row.knots, &row.t);
         let (value, size) =
             exact::basis(&row.knots, at, row.order, row.index, &row.t, row.derivative);

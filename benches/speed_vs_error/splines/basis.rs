@@ -1,7 +1,8 @@
-//! The rows of `tests/reference/bspline_basis.csv`: basis functions and their derivatives.
+//! What number types make of the rows of `tests/reference/bspline_basis.csv`.
 
 use super::exact::{self, Ratio};
 use super::methods::{F32, GRID, Kind};
+use super::table::{self, Row as Known};
 use scancsg::scalar::I16F16;
 use scancsg::spline::Knots;
 
@@ -13,32 +14,6 @@ pub struct Row {
     /// Of values in units of the value, of derivatives in units of the sum of their terms' sizes.
     pub errors: Vec<f64>,
     pub limit: f64,
-}
-
-/// A row of the table.
-struct Known {
-    group: String,
-    order: usize,
-    knots: Vec<Ratio>,
-    index: usize,
-    t: Ratio,
-    derivative: usize,
-    value: Ratio,
-}
-
-impl Known {
-    fn parse(line: &str) -> Option<Self> {
-        let field: Vec<&str> = line.split(',').collect();
-        Some(Self {
-            group: (*field.get(1)?).to_string(),
-            order: field.get(2)?.parse().ok()?,
-            knots: field.get(3)?.split(' ').map(Ratio::parse).collect(),
-            index: field.get(4)?.parse().ok()?,
-            t: Ratio::parse(field.get(5)?),
-            derivative: field.get(6)?.parse().ok()?,
-            value: Ratio::parse(field.get(7)?),
-        })
-    }
 }
 
 /// All rows in both number types.
@@ -58,13 +33,13 @@ pub fn measure() -> Result<Vec<Row>, String> {
             })
         })
         .collect();
-    for line in include_str!("../../../tests/reference/bspline_basis.csv").lines().skip(1) {
-        let known = Known::parse(line).ok_or_else(|| format!("cannot read {line}"))?;
+    for known in table::rows()? {
         let Known { knots, order, index, t, derivative, .. } = &known;
         let at = exact::span(knots, t);
         let (value, size) = exact::basis(knots, at, *order, *index, t, *derivative);
+        let place = || format!("N_{index}, order {order}, derivative {derivative}, at {t:?}");
         if value != known.value {
-            return Err(format!("the oracle disagrees with the reference: {line}"));
+            return Err(format!("the oracle disagrees with the reference: {}", place()));
         }
         let what = if *derivative == 0 { "values" } else { "derivatives" };
         for row in rows.iter_mut().filter(|row| row.what == what) {
@@ -73,7 +48,7 @@ pub fn measure() -> Result<Vec<Row>, String> {
                 _ if known.group == "f32only" => continue,
                 _ => fixed(&known),
             };
-            let got = got.ok_or_else(|| format!("{}: no knots for {line}", row.number))?;
+            let got = got.ok_or_else(|| format!("{}: no knots for {}", row.number, place()))?;
             let off = (&Ratio::of(got) - &value).abs().to_f64();
             // Where the exact value is 0, so must be the answer.
             let error = if off == 0.0 { 0.0 } else { off / (row.kind.unit_of)(size.to_f64()) };

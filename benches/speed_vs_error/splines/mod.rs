@@ -7,9 +7,13 @@ mod basis;
 mod exact;
 mod judge;
 mod methods;
+mod plot;
 mod report;
 mod sets;
+#[path = "../../../tests/splines/table.rs"]
+mod table;
 
+pub use plot::draw;
 pub use report::{csv, markdown, shortfalls, table};
 
 use crate::timing::{self, Cost};

@@ -7,7 +7,7 @@ use crate::report::short;
 use std::fmt::Write;
 
 /// Curves of the orders that are measured.
-fn curves(order: usize) -> &'static str {
+pub fn curves(order: usize) -> &'static str {
     if order == 3 { "quadratics" } else { "cubics" }
 }
 
@@ -17,57 +17,59 @@ fn figures(errors: &[f64]) -> [String; 3] {
     percentiles(errors).map_or_else(|| ["-", "-", "-"].map(Into::into), |errors| errors.map(figure))
 }
 
-/// The rows that have anything to say, set by set.
-fn asked(results: &Results) -> impl Iterator<Item = &[Row]> {
-    results.rows.chunks(METHODS.len())
+/// A method or a number type in a table.
+struct Line {
+    label: String,
+    points: usize,
+    time: String,
+    errors: [String; 3],
+    unit: &'static str,
+    /// Curves not taken, and points without an answer.
+    missing: usize,
 }
 
-fn ratio(row: &Row) -> String {
-    row.cost.map_or_else(|| "-".into(), |cost| short(cost.ratio))
+/// All tables, with their titles: set by set, and then the basis functions.
+fn tables(results: &Results) -> Vec<(String, Vec<Line>)> {
+    let of_set = |rows: &[Row]| {
+        let asked = rows.iter().filter(|row| row.accuracy.asked > 0);
+        let lines = asked.map(|row| Line {
+            label: METHODS[row.method].label(),
+            points: row.accuracy.errors.len(),
+            time: row.cost.map_or_else(|| "-".into(), |cost| short(cost.ratio)),
+            errors: figures(&row.accuracy.errors),
+            unit: METHODS[row.method].kind.unit,
+            missing: row.accuracy.not_taken + row.accuracy.not_answered,
+        });
+        (format!("{}, {}", curves(rows[0].order), rows[0].set.name), lines.collect())
+    };
+    let of_basis = results.basis.iter().map(|row| Line {
+        label: format!("{} {}", row.what, row.number),
+        points: row.errors.len(),
+        time: "-".into(),
+        errors: figures(&row.errors),
+        unit: row.kind.unit,
+        missing: 0,
+    });
+    let sets = results.rows.chunks(METHODS.len()).map(of_set);
+    sets.chain([("basis functions".into(), of_basis.collect())]).collect()
 }
 
 pub fn table(results: &Results) -> String {
     let mut text = String::new();
-    for rows in asked(results) {
+    for (title, lines) in tables(results) {
         let _ = writeln!(
             text,
-            "\n{:44}{:>6}{:>5}{:>8}{:>8}{:>8}{:>7}{:>10}",
-            format!("{}, {}", curves(rows[0].order), rows[0].set.name),
-            "time",
-            "",
-            "p50",
-            "p99",
-            "max",
-            "taken",
-            "answered"
+            "\n{title:44}{:>8}{:>6}{:>5}{:>8}{:>8}{:>8}{:>9}",
+            "points", "time", "", "p50", "p99", "max", "missing"
         );
-        for row in rows.iter().filter(|row| row.accuracy.asked > 0) {
-            let method = &METHODS[row.method];
-            let [p50, p99, max] = figures(&row.accuracy.errors);
+        for Line { label, points, time, errors: [p50, p99, max], unit, missing } in lines {
             let _ = writeln!(
                 text,
-                "  {:42}{:>6}{:>5}{p50:>8}{p99:>8}{max:>8}{:>7}{:>10}",
-                method.label(),
-                ratio(row),
-                method.kind.unit,
-                or_all(row.accuracy.not_taken),
-                or_all(row.accuracy.not_answered),
+                "  {label:42}{points:>8}{time:>6}{unit:>5}{p50:>8}{p99:>8}{max:>8}{missing:>9}"
             );
         }
     }
-    let _ =
-        writeln!(text, "\n{:50}{:>5}{:>8}{:>8}{:>8}", "basis functions", "", "p50", "p99", "max");
-    for row in &results.basis {
-        let [p50, p99, max] = figures(&row.errors);
-        let label = format!("{} {}", row.what, row.number);
-        let _ = writeln!(text, "  {label:48}{:>5}{p50:>8}{p99:>8}{max:>8}", row.kind.unit);
-    }
     text
-}
-
-/// How many are not.
-fn or_all(missing: usize) -> String {
-    if missing == 0 { "all".into() } else { format!("-{missing}") }
 }
 
 pub fn csv(results: &Results) -> String {
@@ -130,49 +132,24 @@ pub fn markdown(results: &Results) -> String {
          point's worst coordinate, against exact fractions: in **ulps** of the largest coordinate of \
          the curve's control points, or in **LSB**, units of 2⁻¹⁶. \"Missing\" is points that are NaN \
          or infinite, and curves not taken. `I16F16` is asked about curves that it can hold, and \
-         sweeps about uniform knots.\n",
+         sweeps about uniform knots.\n\n\
+         Basis functions are all rows of `tests/reference/bspline_basis.csv` that the number type can \
+         hold, orders 1 to 6: values in ulps of the value, derivatives in ulps of the sum of their \
+         terms' sizes.\n",
         results.points,
     );
-    for rows in asked(results) {
+    for (title, lines) in tables(results) {
         let _ = write!(
             text,
-            "\n## {}, {}\n\n\
+            "\n## {title}\n\n\
              | method | points | time | error | unit | missing |\n\
              |---|---:|---:|---:|---|---:|\n",
-            curves(rows[0].order),
-            rows[0].set.name
         );
-        for row in rows.iter().filter(|row| row.accuracy.asked > 0) {
-            let method = &METHODS[row.method];
-            let _ = writeln!(
-                text,
-                "| {} | {} | {} | {} | {} | {} |",
-                method.label(),
-                row.accuracy.errors.len(),
-                ratio(row),
-                figures(&row.accuracy.errors).join(" / "),
-                method.kind.unit,
-                row.accuracy.not_taken + row.accuracy.not_answered
-            );
+        for Line { label, points, time, errors, unit, missing } in lines {
+            let errors = errors.join(" / ");
+            let _ =
+                writeln!(text, "| {label} | {points} | {time} | {errors} | {unit} | {missing} |");
         }
-    }
-    text.push_str(
-        "\n## basis functions\n\n\
-         All rows of `tests/reference/bspline_basis.csv` that the number type can hold, orders 1 to \
-         6. Values are in ulps of the value, derivatives in ulps of the sum of their terms' sizes.\n\n\
-         | what | number | rows | error | unit |\n\
-         |---|---|---:|---:|---|\n",
-    );
-    for row in &results.basis {
-        let _ = writeln!(
-            text,
-            "| {} | {} | {} | {} | {} |",
-            row.what,
-            row.number,
-            row.errors.len(),
-            figures(&row.errors).join(" / "),
-            row.kind.unit
-        );
     }
     text
 }

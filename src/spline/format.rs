@@ -1,0 +1,49 @@
+//! What a log says about splines.
+
+use super::{Baked, Curve, Flatten, Lengths, Point, Sweep, Vertex};
+use defmt::{Format, Formatter, write};
+
+impl<P: Point + Format, const K: usize, const C: usize, const N: usize> Format for Curve<P, K, C, N>
+where
+    P::Scalar: Format,
+{
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Curve {{ knots: {}, points: {} }}", self.knots, self.points());
+    }
+}
+
+impl<P: Point, const K: usize, const SPANS: usize> Format for Baked<P, K, SPANS>
+where
+    P::Scalar: Format,
+{
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Baked of {} spans, order {}, {}", SPANS, K, self.domain());
+    }
+}
+
+impl<P: Point + Format> Format for Vertex<P>
+where
+    P::Scalar: Format,
+{
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Vertex {{ t: {}, point: {} }}", self.t, self.point);
+    }
+}
+
+impl<P: Point, const K: usize> Format for Flatten<'_, P, K> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Flatten, at vertex {} of span {}", self.walk.next, self.walk.span);
+    }
+}
+
+impl<P: Point, const K: usize> Format for Lengths<'_, P, K> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Lengths, at vertex {} of span {}", self.walk.next, self.walk.span);
+    }
+}
+
+impl<P: Point, const K: usize> Format for Sweep<'_, P, K> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Sweep, {} points before span {}", self.left, self.span);
+    }
+}
