@@ -98,8 +98,9 @@ macro_rules! floats {
                 x as f64
             }
 
+            /// The key of the first number of a span: −0 is as large as 0.
             pub(super) const fn key(x: $Float) -> $Whole {
-                $order(x)
+                $order(if x == 0.0 { -0.0 } else { x })
             }
 
             /// A span's frame.

@@ -92,11 +92,6 @@ const fn digits<const K: usize>() -> i32 {
     32 - K as i32
 }
 
-/// The key of a knot as the first number of a span: −0 belongs to it.
-pub(super) const fn first_key(knot: f32) -> i32 {
-    if knot == 0.0 { order_f32(-0.0) } else { order_f32(knot) }
-}
-
 /// The key of a knot as the last number.
 const fn last_key(knot: f32) -> i32 {
     order_f32(knot + 0.0)
@@ -138,15 +133,15 @@ impl Bake<f32> {
                 if end - start < 1e-28 {
                     return none;
                 }
-                made.starts[count] = first_key(start);
+                made.starts[count] = Self::key(start);
                 made.cells[count] = Self::cell(all, span);
                 count += 1;
             }
             span += 1;
         }
         let (from, to) = (all[K - 1], all[points]);
-        made.from = if all[1] == from { last_key(from) + 1 } else { first_key(from) };
-        made.to = if all[points + K - 2] == to { first_key(to) - 1 } else { last_key(to) };
+        made.from = if all[1] == from { last_key(from) + 1 } else { Self::key(from) };
+        made.to = if all[points + K - 2] == to { Self::key(to) - 1 } else { last_key(to) };
         made
     }
 

@@ -252,3 +252,23 @@ fn baked_curves_in_fixed_point() {
     }
     worst::<I16F16, 6>(0.0, 20.0, 0.6, Form::Baked(1));
 }
+
+/// A line that jumps from 2 to 5 at zero.
+fn jumps<S: Numeric>() {
+    let knots = [-1.0, -1.0, 0.0, 0.0, 1.0, 1.0].map(S::of);
+    let points = [1.0, 2.0, 5.0, 6.0].map(|x| [S::of(x); 2]);
+    let curve =
+        S::curve::<2, POINTS, KNOTS>(S::knots::<2, KNOTS>(&knots).unwrap(), &points).unwrap();
+    for zero in [0.0, -0.0] {
+        let zero = S::of(zero);
+        assert_eq!(curve.value(zero, Outside::Error), Ok(points[2]));
+        assert_eq!(S::at_baked(&curve, 1, 0, zero, Outside::Error), Ok(Ok(points[2])));
+    }
+}
+
+#[test]
+fn minus_zero_is_zero() {
+    jumps::<f32>();
+    jumps::<f64>();
+    jumps::<I16F16>();
+}
