@@ -3,7 +3,6 @@
 use super::methods::METHODS;
 use super::{Results, Row};
 use crate::accuracy::percentiles;
-use crate::report::short;
 use std::fmt::Write;
 
 /// Curves of the orders that are measured.
@@ -35,7 +34,7 @@ fn tables(results: &Results) -> Vec<(String, Vec<Line>)> {
         let lines = asked.map(|row| Line {
             label: METHODS[row.method].label(),
             points: row.accuracy.errors.len(),
-            time: row.cost.map_or_else(|| "-".into(), |cost| short(cost.ratio)),
+            time: row.cost.map_or_else(|| "-".into(), |cost| format!("{:.2}", cost.ratio)),
             errors: figures(&row.accuracy.errors),
             unit: METHODS[row.method].kind.unit,
             missing: row.accuracy.not_taken + row.accuracy.not_answered,
