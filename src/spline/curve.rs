@@ -4,7 +4,7 @@ use super::blend::Blend;
 use super::domain::{Domain, Outside};
 use super::knots::Knots;
 use super::point::{Inner, Point, combine, inner, outer};
-use super::weights::Weigh;
+use super::weights::{SpanOf, Weigh};
 use super::{CurveError, EvaluateError};
 use crate::geom::Vec3;
 use crate::scalar::Number;
@@ -15,7 +15,7 @@ use crate::scalar::Number;
 /// with B-splines*, Journal of Approximation Theory 6, 1972): control points are blended two by two,
 /// in fixed point with 28 guard bits. In `f32`, polynomials in whole numbers follow when a control
 /// point moves; an order up to 4 is within 1 unit in the last place of the largest coordinate of the
-/// control points, 5 within 1.5, and 6 within 2.5. That takes `C`·(4K² + 4K·D + 24) bytes for points
+/// control points, 5 within 1.5, and 6 within 2.5. That takes `C`·(4K² + 4K·D + 4D + 24) bytes for points
 /// of D coordinates. A curve with clamped ends passes through its first and last control point
 /// exactly.
 #[derive(Debug, Clone, Copy)]
@@ -23,10 +23,9 @@ pub struct Curve<P: Point, const K: usize, const C: usize, const N: usize> {
     pub(super) knots: Knots<P::Scalar, K, N>,
     /// As many as the knots demand, and behind them origins.
     pub(super) points: [P; C],
-    /// In `f32`, the weights of control points, and what they make of these points.
+    /// In `f32`, the weights of control points, and the polynomials that they make of these points.
     pub(super) cells: <P::Scalar as Weigh>::Cells<K, C>,
-    pub(super) polynomials: [[P::Array<<P::Scalar as Weigh>::Whole>; K]; C],
-    pub(super) grains: P::Array<<P::Scalar as Weigh>::Grain>,
+    pub(super) spans: [SpanOf<P, K>; C],
 }
 
 impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N> {
@@ -67,14 +66,14 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
 
     /// The polynomials of these control points.
     fn prepare(&mut self) {
-        for (d, grain) in self.grains.as_mut().iter_mut().enumerate() {
-            let coordinates = self.points.map(|point| {
-                point.coordinates().as_ref().get(d).copied().unwrap_or(P::Scalar::ZERO)
-            });
-            let (lane, grain_of_lane) = P::Scalar::lane(&self.cells, coordinates);
-            *grain = grain_of_lane;
-            for (polynomial, lane) in self.polynomials.iter_mut().zip(lane) {
-                for (coefficients, c) in polynomial.iter_mut().zip(lane) {
+        for (span, polynomial) in self.spans.iter_mut().enumerate() {
+            for (d, grain) in polynomial.grains.as_mut().iter_mut().enumerate() {
+                let coordinates = self.points.map(|point| {
+                    point.coordinates().as_ref().get(d).copied().unwrap_or(P::Scalar::ZERO)
+                });
+                let (lane, grain_of_lane) = P::Scalar::lane(&self.cells, span, coordinates);
+                *grain = grain_of_lane;
+                for (coefficients, c) in polynomial.coefficients.iter_mut().zip(lane) {
                     if let Some(place) = coefficients.as_mut().get_mut(d) {
                         *place = c;
                     }
@@ -86,7 +85,11 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
     /// Other knots and control points.
     pub(super) fn replace(&mut self, knots: Knots<P::Scalar, K, N>, points: [P; C]) {
         (self.knots, self.points) = (knots, points);
-        self.cells = P::Scalar::cells(&self.knots);
+        let (cells, frames) = P::Scalar::cells(&self.knots);
+        self.cells = cells;
+        for (span, frame) in self.spans.iter_mut().zip(frames) {
+            span.frame = frame;
+        }
         self.prepare();
     }
 
@@ -115,7 +118,7 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
     // As a function, it would return through memory: 20 instructions of 106 on a Cortex-M4F.
     #[inline(always)]
     fn by_polynomials(&self, t: P::Scalar) -> Option<P> {
-        P::Scalar::at::<P, K, C>(&self.cells, &self.polynomials, self.grains, t)
+        P::Scalar::at::<P, K, C>(&self.cells, &self.spans, t)
     }
 
     /// The point by de Boor's algorithm: in `f32` at clamped ends, outside of the domain, and where

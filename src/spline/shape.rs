@@ -4,6 +4,7 @@ use super::CurveError;
 use super::bake::Bake;
 use super::curve::Curve;
 use super::knots::Knots;
+use super::weights::Span;
 use crate::geom::Vec3;
 use crate::scalar::{Check, FixedI32, Fraction};
 use core::marker::PhantomData;
@@ -123,9 +124,12 @@ macro_rules! shape {
                 if count < K || knots.spans() == 0 {
                     return Err(CurveError::Empty);
                 }
-                let cells = Bake::<$Scalar>::cells::<K, C, N>(&knots);
-                let mut grains = [Bake::<$Scalar>::NO_GRAIN; $D];
-                let mut polynomials = [[[Bake::<$Scalar>::NO_WHOLE; $D]; K]; C];
+                let (cells, frames) = Bake::<$Scalar>::cells::<K, C, N>(&knots);
+                let mut spans = [Span {
+                    frame: frames[0],
+                    grains: [Bake::<$Scalar>::NO_GRAIN; $D],
+                    coefficients: [[Bake::<$Scalar>::NO_WHOLE; $D]; K],
+                }; C];
                 let mut d = 0;
                 while d < $D {
                     let mut coordinates = [Check::<$Scalar>::ZERO; C];
@@ -134,16 +138,21 @@ macro_rules! shape {
                         coordinates[i] = Shape::<$Point>::coordinates(points[i])[d];
                         i += 1;
                     }
-                    let (lane, grain) = Bake::<$Scalar>::lane::<K, C>(&cells, coordinates);
-                    grains[d] = grain;
                     i = 0;
-                    while i < C * K {
-                        polynomials[i / K][i % K][d] = lane[i / K][i % K];
+                    while i < C {
+                        let (lane, grain) = Bake::<$Scalar>::lane::<K, C>(&cells, i, coordinates);
+                        spans[i].frame = frames[i];
+                        spans[i].grains[d] = grain;
+                        let mut power = 0;
+                        while power < K {
+                            spans[i].coefficients[power][d] = lane[power];
+                            power += 1;
+                        }
                         i += 1;
                     }
                     d += 1;
                 }
-                Ok(Self { knots, points, cells, polynomials, grains })
+                Ok(Self { knots, points, cells, spans })
             }
         }
     };

@@ -29,35 +29,54 @@ const ROUNDS: f32 = 1.5 * (1u32 << 23) as f32;
 /// What number types know of a curve in advance: nothing but in `f32`.
 #[doc(hidden)]
 pub trait Weigh: Scalar {
-    /// The weights of the control points.
+    /// The weights of the control points on all spans.
     type Cells<const K: usize, const C: usize>: Copy + Debug;
+    /// How t becomes the local parameter of a span.
+    type Local: Copy + Debug;
     /// A coefficient of a span's polynomial.
     type Whole: Copy + Debug + PartialEq;
-    /// The unit of the coefficients.
+    /// The unit of a coordinate's coefficients.
     type Grain: Copy + Debug + PartialEq;
+
+    const NO_WHOLE: Self::Whole;
+    const NO_GRAIN: Self::Grain;
 
     fn cells<const K: usize, const C: usize, const N: usize>(
         knots: &Knots<Self, K, N>,
-    ) -> Self::Cells<K, C>;
+    ) -> (Self::Cells<K, C>, [Self::Local; C]);
 
-    /// The polynomials of all spans in one coordinate of the control points, and their unit.
+    /// The polynomial of a span in one coordinate, and its unit.
     fn lane<const K: usize, const C: usize>(
         cells: &Self::Cells<K, C>,
+        span: usize,
         coordinates: [Self; C],
-    ) -> Lane<Self, K, C>;
+    ) -> ([Self::Whole; K], Self::Grain);
 
     /// The curve's point at a parameter, unless it is one that the polynomials are not for.
     fn at<P: Point<Scalar = Self>, const K: usize, const C: usize>(
         cells: &Self::Cells<K, C>,
-        polynomials: &[[P::Array<Self::Whole>; K]; C],
-        grains: P::Array<Self::Grain>,
+        spans: &[SpanOf<P, K>; C],
         t: Self,
     ) -> Option<P>;
 }
 
-/// Polynomials in one coordinate, of the highest power first, and their unit.
-pub(super) type Lane<S, const K: usize, const C: usize> =
-    ([[<S as Weigh>::Whole; K]; C], <S as Weigh>::Grain);
+/// A polynomial of a curve: with a frame, units and coefficients.
+#[doc(hidden)]
+#[derive(Debug, Clone, Copy)]
+pub struct Span<Frame, Grains, Wholes, const K: usize> {
+    pub(super) frame: Frame,
+    pub(super) grains: Grains,
+    /// Of the highest power first.
+    pub(super) coefficients: [Wholes; K],
+}
+
+#[doc(hidden)]
+pub type SpanOf<P, const K: usize> = Span<
+    <<P as Point>::Scalar as Weigh>::Local,
+    <P as Point>::Array<<<P as Point>::Scalar as Weigh>::Grain>,
+    <P as Point>::Array<<<P as Point>::Scalar as Weigh>::Whole>,
+    K,
+>;
 
 /// The weights of the control points on all spans.
 #[doc(hidden)]
@@ -77,14 +96,24 @@ pub struct Cells<const K: usize, const C: usize> {
 struct Cell<const K: usize> {
     /// The index of the first control point.
     first: u32,
-    /// `((t − start)·scale − half)·factor/2²⁹` is from −2³¹ to 2³¹; the scale is a power of two, and
-    /// the bits of [`ROUNDS`] are added to `half`.
-    minus_start: f32,
-    scale: f32,
-    half: i32,
-    factor: i32,
     /// Their coefficients, of the highest power first, in units of 2^−[`digits`].
     weights: [[i32; K]; K],
+}
+
+/// The local parameter is `((t − start)·scale − half)·factor/2²⁹`, from −2³¹ to 2³¹.
+#[doc(hidden)]
+#[derive(Debug, Clone, Copy)]
+pub struct LocalFrame {
+    minus_start: f32,
+    /// A power of two.
+    scale: f32,
+    /// The bits of [`ROUNDS`] are added to it.
+    half: i32,
+    factor: i32,
+}
+
+impl LocalFrame {
+    const NONE: Self = Self { minus_start: 0.0, scale: 0.0, half: 0, factor: 0 };
 }
 
 /// The digits of a weight: coefficients, and sums in Horner's rule, are below 2^(K − 1).
@@ -109,20 +138,14 @@ impl Bake<f32> {
 
     pub(super) const fn cells<const K: usize, const C: usize, const N: usize>(
         knots: &Knots<f32, K, N>,
-    ) -> Cells<K, C> {
-        let empty = Cell {
-            first: 0,
-            minus_start: 0.0,
-            scale: 0.0,
-            half: 0,
-            factor: 0,
-            weights: [[0; K]; K],
-        };
+    ) -> (Cells<K, C>, [LocalFrame; C]) {
+        let empty = Cell { first: 0, weights: [[0; K]; K] };
         // For no parameter.
         let none = Cells { from: 1, to: 0, starts: [i32::MAX; C], cells: [empty; C] };
+        let mut frames = [LocalFrame::NONE; C];
         let (points, all) = (knots.points(), &knots.knots);
         if K < 2 || K > HIGHEST || points < K || points + K > N || points > C {
-            return none;
+            return (none, frames);
         }
         let mut made = none;
         let (mut span, mut count) = (K - 1, 0);
@@ -131,10 +154,10 @@ impl Bake<f32> {
             if start < end {
                 // Shorter ones would need a scale beyond the range.
                 if end - start < 1e-28 {
-                    return none;
+                    return (none, frames);
                 }
                 made.starts[count] = Self::key(start);
-                made.cells[count] = Self::cell(all, span);
+                (made.cells[count], frames[count]) = Self::cell(all, span);
                 count += 1;
             }
             span += 1;
@@ -142,10 +165,13 @@ impl Bake<f32> {
         let (from, to) = (all[K - 1], all[points]);
         made.from = if all[1] == from { last_key(from) + 1 } else { Self::key(from) };
         made.to = if all[points + K - 2] == to { Self::key(to) - 1 } else { last_key(to) };
-        made
+        (made, frames)
     }
 
-    const fn cell<const K: usize, const N: usize>(knots: &[f32; N], span: usize) -> Cell<K> {
+    const fn cell<const K: usize, const N: usize>(
+        knots: &[f32; N],
+        span: usize,
+    ) -> (Cell<K>, LocalFrame) {
         let (start, end) = (knots[span], knots[span + 1]);
         let width = Long::sum(end as f64, -(start as f64));
         // Half of the width times the scale is above 2²⁹, and 2³⁰ for a power of two. Then numbers are
@@ -183,84 +209,76 @@ impl Bake<f32> {
             }
             function += 1;
         }
-        Cell {
-            first: (span + 1 - K) as u32,
+        let frame = LocalFrame {
             minus_start: -start,
             scale: scale as f32,
             half: (half as i32).wrapping_add(ROUNDS.to_bits().cast_signed()),
             factor: factor as i32,
-            weights,
-        }
+        };
+        (Cell { first: (span + 1 - K) as u32, weights }, frame)
     }
 
     pub(super) const fn lane<const K: usize, const C: usize>(
         cells: &Cells<K, C>,
+        span: usize,
         coordinates: [f32; C],
-    ) -> Lane<f32, K, C> {
-        let mut largest = 0.0f32;
-        let mut i = 0;
-        while i < C {
+    ) -> ([i32; K], f32) {
+        let Cell { first, weights } = &cells.cells[span];
+        let (first, mut largest) = (*first as usize, 0.0f32);
+        let mut i = first;
+        while i < first + K && i < C {
             largest = largest.max(coordinates[i].abs());
             i += 1;
         }
-        // So that they are whole numbers below 2³¹.
-        // And a little more than 2³¹ would be too much for the highest power.
+        // So that they are whole numbers below 2³¹; with a little room, because a coefficient of the
+        // highest power can be the sum of rounded weights times all of 2³¹.
         largest *= 1.0 + 1.0 / (1u32 << 20) as f32;
         let exponent = (largest.to_bits() >> 23).cast_signed() - 127;
         let unit = power_of_two(exponent - 30);
-        let grain = power_of_two(exponent - 30) * power_of_two(31 - digits::<K>());
-        let mut wholes = [0i64; C];
-        i = 0;
-        while i < C {
-            wholes[i] = (coordinates[i] / unit) as i64;
-            i += 1;
-        }
-        let mut polynomials = [[0; K]; C];
-        let mut span = 0;
-        while span < C {
-            let cell = &cells.cells[span];
-            let first = cell.first as usize;
-            let mut power = 0;
-            while power < K {
-                // Halves are rounded upwards.
-                let mut sum = 1 << 30;
-                let mut i = 0;
-                while i < K && first + i < C {
-                    sum += cell.weights[power][i] as i64 * wholes[first + i];
-                    i += 1;
-                }
-                polynomials[span][power] = (sum >> 31) as i32;
-                power += 1;
+        let mut coefficients = [0; K];
+        let mut power = 0;
+        while power < K {
+            // Halves are rounded upwards.
+            let mut sum = 1i64 << 30;
+            let mut i = 0;
+            while i < K && first + i < C {
+                sum += weights[power][i] as i64 * (coordinates[first + i] / unit) as i64;
+                i += 1;
             }
-            span += 1;
+            coefficients[power] = (sum >> 31) as i32;
+            power += 1;
         }
-        (polynomials, grain)
+        (coefficients, unit * power_of_two(31 - digits::<K>()))
     }
 }
 
 impl Weigh for f32 {
     type Cells<const K: usize, const C: usize> = Cells<K, C>;
+    type Local = LocalFrame;
     type Whole = i32;
     type Grain = Self;
 
+    const NO_WHOLE: i32 = Bake::<Self>::NO_WHOLE;
+    const NO_GRAIN: Self = Bake::<Self>::NO_GRAIN;
+
     fn cells<const K: usize, const C: usize, const N: usize>(
         knots: &Knots<Self, K, N>,
-    ) -> Cells<K, C> {
+    ) -> (Cells<K, C>, [LocalFrame; C]) {
         Bake::<Self>::cells(knots)
     }
 
     fn lane<const K: usize, const C: usize>(
         cells: &Cells<K, C>,
+        span: usize,
         coordinates: [Self; C],
-    ) -> Lane<Self, K, C> {
-        Bake::<Self>::lane(cells, coordinates)
+    ) -> ([i32; K], Self) {
+        Bake::<Self>::lane(cells, span, coordinates)
     }
 
     #[inline(always)]
     fn at<P: Point<Scalar = Self>, const K: usize, const C: usize>(
         cells: &Cells<K, C>,
-        polynomials: &[[P::Array<i32>; K]; C],
-        grains: P::Array<Self>,
+        spans: &[SpanOf<P, K>; C],
         t: Self,
     ) -> Option<P> {
         let key = order_f32(t);
@@ -268,25 +286,24 @@ impl Weigh for f32 {
             return None;
         }
         // Without a jump, and without an index that would have to be checked.
-        let later = cells.starts.iter().take(C.saturating_sub(K - 1));
-        let mut spans = later.zip(cells.cells.iter().zip(polynomials));
+        let mut spans = cells.starts.iter().zip(spans).take(C.saturating_sub(K - 1));
         let (_, first) = spans.next()?;
-        let (cell, polynomial) =
+        let Span { frame, grains, coefficients } =
             spans.fold(first, |at, (start, span)| select_unpredictable(*start <= key, span, at));
 
-        // The difference's rounding error, too: it can be half a unit of the curve.
-        let (high, low) = two_sum(t, cell.minus_start);
-        let rest = (low * cell.scale + ROUNDS).to_bits().cast_signed();
-        let offset = ((high * cell.scale) as i32).wrapping_add(rest).wrapping_sub(cell.half);
-        let local = ((i64::from(offset) * i64::from(cell.factor)) >> 29) as i32;
-        let (first, rest) = polynomial.split_first()?;
+        // The difference's rounding error, too: it can be more than a unit of the curve.
+        let (high, low) = two_sum(t, frame.minus_start);
+        let rest = (low * frame.scale + ROUNDS).to_bits().cast_signed();
+        let offset = ((high * frame.scale) as i32).wrapping_add(rest).wrapping_sub(frame.half);
+        let local = ((i64::from(offset) * i64::from(frame.factor)) >> 29) as i32;
+        let (first, rest) = coefficients.split_first()?;
         let mut sums = *first;
         for coefficients in rest {
             for (sum, c) in sums.as_mut().iter_mut().zip(coefficients.as_ref()) {
                 *sum = c.wrapping_add(((i64::from(*sum) * i64::from(local)) >> 32) as i32);
             }
         }
-        let mut point = grains;
+        let mut point = *grains;
         for (x, sum) in point.as_mut().iter_mut().zip(sums.as_ref()) {
             *x *= *sum as Self;
         }
@@ -302,36 +319,46 @@ macro_rules! without_weights {
 
             pub(super) const fn cells<const K: usize, const C: usize, const N: usize>(
                 _: &Knots<$Scalar, K, N>,
-            ) {
+            ) -> ((), [(); C]) {
+                ((), [(); C])
             }
 
             pub(super) const fn lane<const K: usize, const C: usize>(
                 (): &(),
+                _: usize,
                 _: [$Scalar; C],
-            ) -> Lane<$Scalar, K, C> {
-                ([[(); K]; C], ())
+            ) -> ([(); K], ()) {
+                ([(); K], ())
             }
         }
 
         impl<$($generics)*> Weigh for $Scalar {
             type Cells<const K: usize, const C: usize> = ();
+            type Local = ();
             type Whole = ();
             type Grain = ();
 
-            fn cells<const K: usize, const C: usize, const N: usize>(_: &Knots<Self, K, N>) {}
+            const NO_WHOLE: () = ();
+            const NO_GRAIN: () = ();
+
+            fn cells<const K: usize, const C: usize, const N: usize>(
+                knots: &Knots<Self, K, N>,
+            ) -> ((), [(); C]) {
+                Bake::<Self>::cells(knots)
+            }
 
             fn lane<const K: usize, const C: usize>(
                 (): &(),
+                span: usize,
                 coordinates: [Self; C],
-            ) -> Lane<Self, K, C> {
-                Bake::<Self>::lane(&(), coordinates)
+            ) -> ([(); K], ()) {
+                Bake::<Self>::lane(&(), span, coordinates)
             }
 
             #[inline]
             fn at<P: Point<Scalar = Self>, const K: usize, const C: usize>(
                 (): &(),
-                _: &[[P::Array<()>; K]; C],
-                _: P::Array<()>,
+                _: &[SpanOf<P, K>; C],
                 _: Self,
             ) -> Option<P> {
                 None

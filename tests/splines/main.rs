@@ -4,6 +4,7 @@
 
 mod bad_input;
 mod curves;
+mod editing;
 mod exact;
 mod number;
 mod properties;

@@ -7,10 +7,10 @@ use proptest::prelude::*;
 use scancsg::scalar::I16F16;
 use scancsg::spline::{Curve, Knots, Outside};
 
-type Made<S, const K: usize> = Curve<[S; 2], K, POINTS, KNOTS>;
+pub type Made<S, const K: usize> = Curve<[S; 2], K, POINTS, KNOTS>;
 
 /// Random curves with a parameter in their domain.
-fn curves<S: Numeric, const K: usize>(
+pub fn curves<S: Numeric, const K: usize>(
     offset: f64,
     size: f64,
     holds: impl Fn(Made<S, K>, Rounded<S>) -> Result<(), TestCaseError>,
@@ -26,7 +26,7 @@ fn curves<S: Numeric, const K: usize>(
         .unwrap();
 }
 
-fn f64_of<S: Numeric>(x: S) -> f64 {
+pub fn f64_of<S: Numeric>(x: S) -> f64 {
     x.ratio().to_f64()
 }
 
@@ -320,41 +320,6 @@ fn no_parameter_is_too_strange() {
     everywhere::<f32, 4>(&parameters);
     everywhere::<f64, 4>(&parameters);
     everywhere::<I16F16, 4>(&parameters);
-}
-
-/// Inserted knots don't change a curve by more than rounding.
-fn insertion<S: Numeric, const K: usize>(units: f64) {
-    curves::<S, K>(0.0, 10.0, |mut curve, Rounded { t, knots, points }| {
-        if points.len() == POINTS {
-            return Ok(());
-        }
-        let exact = exact::curve(&ratios(&knots), K, &lane(&points, 0), &t.ratio(), 0);
-        let domain = curve.domain();
-        let knot = S::of(0.3 * f64_of(domain.from) + 0.7 * f64_of(domain.to));
-        let knots: Vec<S> = knots;
-        let before = curve;
-        if curve.insert(knot).is_err() {
-            prop_assert_eq!(before.points(), curve.points());
-            return Ok(());
-        }
-        prop_assert_eq!(curve.points().len(), points.len() + 1);
-        let mut expected = knots;
-        expected.push(knot);
-        expected.sort_by(|a, b| a.partial_cmp(b).unwrap());
-        prop_assert_eq!(curve.knots().as_slice(), &expected[..]);
-        let [got, _] = curve.value(t, Outside::Error).unwrap();
-        let error = error(got, &exact, largest(&points));
-        prop_assert!(error <= units, "{} units", error);
-        Ok(())
-    });
-}
-
-#[test]
-fn insertion_keeps_the_curve() {
-    insertion::<f32, 2>(3.0);
-    insertion::<f32, 4>(3.0);
-    insertion::<f64, 4>(3.0);
-    insertion::<I16F16, 4>(1.1);
 }
 
 /// Every point of the curve is near the polyline.
