@@ -8,6 +8,7 @@ use super::weights::{SpanOf, Weigh};
 use super::{CurveError, EvaluateError};
 use crate::geom::Vec3;
 use crate::scalar::Number;
+use core::ops::Range;
 
 /// A B-spline curve of the order `K`, with room for `C` control points and `N` knots.
 ///
@@ -60,20 +61,25 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
         let count = self.knots.points();
         let place = self.points.get_mut(index).filter(|_| index < count);
         *place.ok_or(CurveError::PointCount)? = point;
-        self.prepare();
+        self.prepare(index..index + 1);
         Ok(())
     }
 
-    /// The polynomials of these control points.
-    fn prepare(&mut self) {
-        for (span, polynomial) in self.spans.iter_mut().enumerate() {
-            for (d, grain) in polynomial.grains.as_mut().iter_mut().enumerate() {
-                let coordinates = self.points.map(|point| {
-                    point.coordinates().as_ref().get(d).copied().unwrap_or(P::Scalar::ZERO)
-                });
-                let (lane, grain_of_lane) = P::Scalar::lane(&self.cells, span, coordinates);
+    /// The polynomials that depend on control points with such indices.
+    fn prepare(&mut self, moved: Range<usize>) {
+        for (i, span) in self.spans.iter_mut().enumerate() {
+            let Some(first) = P::Scalar::first(&self.cells, i) else { break };
+            let points = self.points.get(first..).and_then(|points| points.first_chunk::<K>());
+            let Some(points) = points.filter(|_| first < moved.end && moved.start < first + K)
+            else {
+                continue;
+            };
+            for (d, grain) in span.grains.as_mut().iter_mut().enumerate() {
+                let of = |point: P| point.coordinates().as_ref().get(d).copied();
+                let coordinates = points.map(|point| of(point).unwrap_or(P::Scalar::ZERO));
+                let (lane, grain_of_lane) = P::Scalar::lane(&self.cells, i, coordinates);
                 *grain = grain_of_lane;
-                for (coefficients, c) in polynomial.coefficients.iter_mut().zip(lane) {
+                for (coefficients, c) in span.coefficients.iter_mut().zip(lane) {
                     if let Some(place) = coefficients.as_mut().get_mut(d) {
                         *place = c;
                     }
@@ -90,7 +96,7 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
         for (span, frame) in self.spans.iter_mut().zip(frames) {
             span.frame = frame;
         }
-        self.prepare();
+        self.prepare(0..C);
     }
 
     /// The parameters of the curve.

@@ -130,27 +130,27 @@ macro_rules! shape {
                     grains: [Bake::<$Scalar>::NO_GRAIN; $D],
                     coefficients: [[Bake::<$Scalar>::NO_WHOLE; $D]; K],
                 }; C];
-                let mut d = 0;
-                while d < $D {
-                    let mut coordinates = [Check::<$Scalar>::ZERO; C];
-                    let mut i = 0;
-                    while i < C {
-                        coordinates[i] = Shape::<$Point>::coordinates(points[i])[d];
-                        i += 1;
-                    }
-                    i = 0;
-                    while i < C {
-                        let (lane, grain) = Bake::<$Scalar>::lane::<K, C>(&cells, i, coordinates);
-                        spans[i].frame = frames[i];
-                        spans[i].grains[d] = grain;
-                        let mut power = 0;
-                        while power < K {
-                            spans[i].coefficients[power][d] = lane[power];
-                            power += 1;
+                let mut i = 0;
+                while i < C && let Some(first) = Bake::<$Scalar>::first::<K, C>(&cells, i) {
+                    spans[i].frame = frames[i];
+                    let mut d = 0;
+                    while d < $D {
+                        let mut coordinates = [Check::<$Scalar>::ZERO; K];
+                        let mut j = 0;
+                        while j < K {
+                            coordinates[j] = Shape::<$Point>::coordinates(points[first + j])[d];
+                            j += 1;
                         }
-                        i += 1;
+                        let (lane, grain) = Bake::<$Scalar>::lane::<K, C>(&cells, i, coordinates);
+                        spans[i].grains[d] = grain;
+                        j = 0;
+                        while j < K {
+                            spans[i].coefficients[j][d] = lane[j];
+                            j += 1;
+                        }
+                        d += 1;
                     }
-                    d += 1;
+                    i += 1;
                 }
                 Ok(Self { knots, points, cells, spans })
             }

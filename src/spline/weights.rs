@@ -45,11 +45,17 @@ pub trait Weigh: Scalar {
         knots: &Knots<Self, K, N>,
     ) -> (Self::Cells<K, C>, [Self::Local; C]);
 
-    /// The polynomial of a span in one coordinate, and its unit.
+    /// The index of a span's first control point, if there is such a span.
+    fn first<const K: usize, const C: usize>(
+        cells: &Self::Cells<K, C>,
+        span: usize,
+    ) -> Option<usize>;
+
+    /// The polynomial of a span in one coordinate of its control points, and its unit.
     fn lane<const K: usize, const C: usize>(
         cells: &Self::Cells<K, C>,
         span: usize,
-        coordinates: [Self; C],
+        coordinates: [Self; K],
     ) -> ([Self::Whole; K], Self::Grain);
 
     /// The curve's point at a parameter, unless it is one that the polynomials are not for.
@@ -126,10 +132,9 @@ const fn last_key(knot: f32) -> i32 {
     order_f32(knot + 0.0)
 }
 
-/// 2^exponent, if it is a normal number, or the least one.
+/// 2^exponent, from −126 to 127.
 const fn power_of_two(exponent: i32) -> f32 {
-    let field = if exponent > -127 { exponent + 127 } else { 1 };
-    f32::from_bits(field.cast_unsigned() << 23)
+    f32::from_bits((exponent + 127).cast_unsigned() << 23)
 }
 
 impl Bake<f32> {
@@ -218,15 +223,21 @@ impl Bake<f32> {
         (Cell { first: (span + 1 - K) as u32, weights }, frame)
     }
 
+    pub(super) const fn first<const K: usize, const C: usize>(
+        cells: &Cells<K, C>,
+        span: usize,
+    ) -> Option<usize> {
+        if cells.starts[span] == i32::MAX { None } else { Some(cells.cells[span].first as usize) }
+    }
+
     pub(super) const fn lane<const K: usize, const C: usize>(
         cells: &Cells<K, C>,
         span: usize,
-        coordinates: [f32; C],
+        coordinates: [f32; K],
     ) -> ([i32; K], f32) {
-        let Cell { first, weights } = &cells.cells[span];
-        let (first, mut largest) = (*first as usize, 0.0f32);
-        let mut i = first;
-        while i < first + K && i < C {
+        let mut largest = 0.0f32;
+        let mut i = 0;
+        while i < K {
             largest = largest.max(coordinates[i].abs());
             i += 1;
         }
@@ -234,21 +245,30 @@ impl Bake<f32> {
         // highest power can be the sum of rounded weights times all of 2³¹.
         largest *= 1.0 + 1.0 / (1u32 << 20) as f32;
         let exponent = (largest.to_bits() >> 23).cast_signed() - 127;
-        let unit = power_of_two(exponent - 30);
+        // Down to where the inverse of their unit is a number.
+        let exponent = if exponent < -96 { -96 } else { exponent };
+        let scale = power_of_two(30 - exponent);
+        let mut wholes = [0; K];
+        i = 0;
+        while i < K {
+            wholes[i] = (coordinates[i] * scale) as i32;
+            i += 1;
+        }
         let mut coefficients = [0; K];
         let mut power = 0;
         while power < K {
+            let weights = &cells.cells[span].weights[power];
             // Halves are rounded upwards.
             let mut sum = 1i64 << 30;
-            let mut i = 0;
-            while i < K && first + i < C {
-                sum += weights[power][i] as i64 * (coordinates[first + i] / unit) as i64;
+            i = 0;
+            while i < K {
+                sum += weights[i] as i64 * wholes[i] as i64;
                 i += 1;
             }
             coefficients[power] = (sum >> 31) as i32;
             power += 1;
         }
-        (coefficients, unit * power_of_two(31 - digits::<K>()))
+        (coefficients, power_of_two(exponent + 1 - digits::<K>()))
     }
 }
 
@@ -267,10 +287,14 @@ impl Weigh for f32 {
         Bake::<Self>::cells(knots)
     }
 
+    fn first<const K: usize, const C: usize>(cells: &Cells<K, C>, span: usize) -> Option<usize> {
+        (span < C).then(|| Bake::<Self>::first(cells, span)).flatten()
+    }
+
     fn lane<const K: usize, const C: usize>(
         cells: &Cells<K, C>,
         span: usize,
-        coordinates: [Self; C],
+        coordinates: [Self; K],
     ) -> ([i32; K], Self) {
         Bake::<Self>::lane(cells, span, coordinates)
     }
@@ -323,10 +347,17 @@ macro_rules! without_weights {
                 ((), [(); C])
             }
 
+            pub(super) const fn first<const K: usize, const C: usize>(
+                (): &(),
+                _: usize,
+            ) -> Option<usize> {
+                None
+            }
+
             pub(super) const fn lane<const K: usize, const C: usize>(
                 (): &(),
                 _: usize,
-                _: [$Scalar; C],
+                _: [$Scalar; K],
             ) -> ([(); K], ()) {
                 ([(); K], ())
             }
@@ -347,12 +378,16 @@ macro_rules! without_weights {
                 Bake::<Self>::cells(knots)
             }
 
+            fn first<const K: usize, const C: usize>((): &(), _: usize) -> Option<usize> {
+                None
+            }
+
             fn lane<const K: usize, const C: usize>(
                 (): &(),
-                span: usize,
-                coordinates: [Self; C],
+                _: usize,
+                _: [Self; K],
             ) -> ([(); K], ()) {
-                Bake::<Self>::lane(&(), span, coordinates)
+                ([(); K], ())
             }
 
             #[inline]
