@@ -165,6 +165,19 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
             }
         }
     }
+
+    /// Every difference becomes that of the next tick.
+    #[inline]
+    fn advance(&mut self) {
+        for values in self.differences.as_mut() {
+            let mut values = values.iter_mut();
+            let Some(mut own) = values.next() else { continue };
+            for next in values {
+                own.add(*next, self.divisor);
+                own = next;
+            }
+        }
+    }
 }
 
 /// The basis functions of a span of T ticks at a tick, from 0 to T, times (k−1)! T^(k−1).
@@ -201,16 +214,11 @@ impl<F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Iterator for S
         }
         self.left -= 1;
         let mut point = P::ORIGIN.coordinates();
-        // Every difference becomes that of the next tick.
-        for (x, values) in point.as_mut().iter_mut().zip(self.differences.as_mut()) {
-            let mut values = values.iter_mut();
-            let mut own = values.next()?;
-            *x = FixedI32::from_bits(own.whole);
-            for next in values {
-                own.add(*next, self.divisor);
-                own = next;
-            }
+        for (x, values) in point.as_mut().iter_mut().zip(self.differences.as_ref()) {
+            *x = FixedI32::from_bits(values.first()?.whole);
         }
-        Some(P::from_coordinates(point))
+        let next = Some(P::from_coordinates(point));
+        self.advance();
+        next
     }
 }
