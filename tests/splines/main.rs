@@ -9,5 +9,6 @@ mod exact;
 mod number;
 mod properties;
 mod reference;
+mod search;
 mod sweeps;
 mod table;
