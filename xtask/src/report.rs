@@ -85,7 +85,12 @@ pub fn write(rows: &[Row]) -> Result<(), String> {
          firmware: start-up, driver, scene, renderer, packets, repair.\n\n{}\n",
         table(rows)
     );
-    text.push_str("## Instructions of the parts\n\n| part |");
+    text.push_str(
+        "## Instructions of the parts\n\n\
+         Of splines a call, its arguments, its return and its result are counted, and not the loop \
+         around it; of the other parts the loop, too.\n\n\
+         | part |",
+    );
     rows.iter().for_each(|row| {
         let _ = write!(text, " {} {} |", row.board.core(), row.number);
     });
