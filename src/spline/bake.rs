@@ -105,7 +105,9 @@ macro_rules! floats {
 
             /// A span's frame.
             pub(super) const fn frame(start: $Float, end: $Float) -> FloatFrame<$Float> {
-                let origin = start + (end - start) / 2.0;
+                let middle = start + (end - start) / 2.0;
+                // A span of a unit in the last place has no other number than its start.
+                let origin = if middle < end { middle } else { start };
                 let far = (origin - start).max(end - origin).max($Float::MIN_POSITIVE);
                 FloatFrame { origin, scale: power(far as f64) as $Float }
             }

@@ -165,11 +165,10 @@ impl<P: Point, const K: usize, const SPANS: usize> Baked<P, K, SPANS> {
 
     /// The curve's point at a parameter.
     ///
-    /// In floating point, up to order 4, it is within 3.4 units in the last place of the largest
-    /// coordinate of its control points, whatever knots and parameter are, and within 3.1 of all but
-    /// the worst that a search can find. Orders 5 and 6 are within 3.1, except where control points
-    /// alternate at full size, near a clamped end (5.6) or on spans of a few units in the last place
-    /// of t. In fixed point it is within 0.6 units.
+    /// In floating point it is within 3.1 units in the last place of the largest coordinate of its
+    /// control points, for orders up to 6; except that near a clamped end, where control points
+    /// alternate at full size, a search finds 3.7 for order 4 and 6 for orders 5 and 6. In fixed point
+    /// it is within 0.6 units.
     ///
     /// # Errors
     /// [`EvaluateError::NotFinite`]; [`EvaluateError::Outside`] if t is outside of the domain and
