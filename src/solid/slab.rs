@@ -377,14 +377,14 @@ impl<S: Scalar> Leaf<Pencil<S>> for Slab<S> {
 
     #[inline]
     fn span(&self, _: &Self::View, row: &Self::Row, x: i32) -> Option<Span<S>> {
-        self.pencil_span(row.as_ref()?, x)
+        self.pencil_passage(row.as_ref()?, x).span()
     }
 }
 
 impl<S: Scalar> Slab<S> {
     #[inline]
-    pub(super) fn pencil_span(&self, row: &PencilRow<S>, x: i32) -> Option<Span<S>> {
-        self.passage(row.height.at(x), row.speed.at(x)).span()
+    pub(super) fn pencil_passage(&self, row: &PencilRow<S>, x: i32) -> Passage<S> {
+        self.passage(row.height.at(x), row.speed.at(x))
     }
 }
 

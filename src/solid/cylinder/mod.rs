@@ -203,6 +203,26 @@ pub(super) fn wall_span<S: Scalar>(enter: S, exit: S) -> Option<Span<S>> {
     Span::new(at(enter), at(exit))
 }
 
+/// Sets a span to what the wall's and the caps' have in common. Where both begin or end together, the
+/// face is the cap's.
+#[inline(always)]
+fn set_common<S: Scalar>(
+    span: &mut Span<S>,
+    [enter, exit]: [S; 2],
+    [near, far]: [S; 2],
+    [near_face, far_face]: [Face; 2],
+) {
+    let is_wall = [enter > near, exit < far];
+    let (enter, exit) = (enter.max(near), exit.min(far));
+    if enter < exit {
+        let face = |is_wall, cap| if is_wall { WALL } else { cap };
+        span.enter = Crossing { t: enter, face: face(is_wall[0], near_face) };
+        span.exit = Crossing { t: exit, face: face(is_wall[1], far_face) };
+    } else {
+        *span = Span::NOWHERE;
+    }
+}
+
 impl<S: Scalar> Cylinder<S> {
     /// A ball that holds the whole cylinder.
     fn bounding_ball(&self) -> (Vec3<S::Fine>, S::Fine) {

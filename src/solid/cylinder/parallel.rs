@@ -4,13 +4,13 @@
 //! pixel is κ, the distance of its ray from the axis, which is affine in the column. The chord is
 //! `middle ± √(r² − κ²) · stretch`, with an affine middle and `stretch` = 1/|d × axis|.
 
-use super::{Cylinder, WALL, frame, wall_span};
+use super::{Cylinder, frame, set_common, wall_span};
 use crate::geom::{Affine, Extent, Parallel};
 use crate::scalar::{Number, Real, Scalar};
 use crate::solid::row::{Blank, Leaf};
 use crate::solid::slab::{self, EdgeOn, Ends};
 use crate::solid::strip::{Rows, columns_within};
-use crate::span::{Crossing, Span};
+use crate::span::Span;
 
 impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
     type View = ParallelView<S>;
@@ -86,19 +86,10 @@ impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
             *span = self.rare_span(view, row, x).unwrap_or(Span::NOWHERE);
             return;
         };
-        if let Some([enter, exit]) = self.chord(view, row, x) {
-            let [near, far] = caps.at(&view.caps, x);
-            let is_wall = [enter > near, exit < far];
-            let (enter, exit) = (enter.max(near), exit.min(far));
-            if enter < exit {
-                let [near, far] = view.caps.faces;
-                let face = |is_wall, cap| if is_wall { WALL } else { cap };
-                span.enter = Crossing { t: enter, face: face(is_wall[0], near) };
-                span.exit = Crossing { t: exit, face: face(is_wall[1], far) };
-                return;
-            }
+        match self.chord(view, row, x) {
+            Some(chord) => set_common(span, chord, caps.at(&view.caps, x), view.caps.faces),
+            None => *span = Span::NOWHERE,
         }
-        *span = Span::NOWHERE;
     }
 
     #[inline(always)]

@@ -4,13 +4,14 @@
 //! all rays run through the eye. Both vectors are at right angles to the axis, so two coordinates
 //! hold each of them.
 
-use super::{Cylinder, WALL, frame, wall_span};
+use super::{Cylinder, frame, set_common, wall_span};
 use crate::geom::{Affine, Extent, Pencil, Vec3};
 use crate::scalar::{Chord, Number, Real, Scalar};
+use crate::solid::intersect::Passage;
 use crate::solid::row::Leaf;
 use crate::solid::silhouette::{PencilBall, constant, extent};
 use crate::solid::slab;
-use crate::span::Span;
+use crate::span::{Face, Span};
 
 impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
     type View = Option<PencilView<S>>;
@@ -69,18 +70,37 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
         (Some(row), silhouette.overlap(view.ball.extent(y, columns)))
     }
 
-    #[inline]
     fn span(&self, view: &Self::View, row: &Self::Row, x: i32) -> Option<Span<S>> {
-        let (Some(view), Some(row)) = (view, row) else { return None };
+        let mut span = Span::NOWHERE;
+        Leaf::<Pencil<S>>::set_span(self, view, row, x, &mut span);
+        span.checked()
+    }
+
+    #[inline(always)]
+    fn set_span(&self, view: &Self::View, row: &Self::Row, x: i32, span: &mut Span<S>) {
+        *span = Span::NOWHERE;
+        let (Some(view), Some(row)) = (view, row) else { return };
         let q = row.moment.map(|part| S::from_fine(part.at(x)));
         let m = row.turn.map(|part| S::unit(part.at(x)));
         let k = [S::from_fine(row.reach.at(x))];
-        let within_wall = match S::chord(self.tube.radius, k, q, m) {
-            Chord::Between(enter, exit) => wall_span(enter, exit)?,
-            Chord::Along if view.eye_within => Span::whole_line(WALL),
-            Chord::Along | Chord::Beside => return None,
+        let chord = match S::chord(self.tube.radius, k, q, m) {
+            Chord::Between(enter, exit) => [enter, exit],
+            Chord::Along if view.eye_within => [S::LOWEST, S::HIGHEST],
+            Chord::Along | Chord::Beside => return,
         };
-        self.caps.pencil_span(&row.caps, x)?.overlap(within_wall)
+        match self.caps.pencil_passage(&row.caps, x) {
+            Passage::Across { at: [low, high], upwards: true } => {
+                set_common(span, chord, [low, high], [Face(0), Face(1)]);
+            }
+            Passage::Across { at: [low, high], upwards: false } => {
+                set_common(span, chord, [high, low], [Face(1), Face(0)]);
+            }
+            Passage::Along { inside: true } => {
+                let [enter, exit] = chord;
+                *span = wall_span(enter, exit).unwrap_or(Span::NOWHERE);
+            }
+            Passage::Along { inside: false } => {}
+        }
     }
 }
 
