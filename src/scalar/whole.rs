@@ -1,6 +1,6 @@
 //! Integer arithmetic that fixed point is made of: rounded shifts, roots, quotients.
 
-use super::words::{leading_zeros, shifted, unsigned_product};
+use super::words::{IS_NARROW, leading_zeros, shifted, unsigned_product};
 
 /// `value / 2^shift`, rounded to nearest, halves upwards; `shift` may be negative. What leaves
 /// the range of `i64` stays at its end.
@@ -194,10 +194,30 @@ pub(crate) const fn normalized(value: u64) -> (u32, i32) {
 #[inline]
 pub(crate) const fn reciprocal(mantissa: u32) -> u32 {
     if mantissa == 0 {
-        return u32::MAX;
+        u32::MAX
+    } else if IS_NARROW {
+        reciprocal_by_digits(mantissa)
+    } else {
+        // 2^63 − 1, so that the reciprocal of 2³¹ fits.
+        (((1u64 << 63) - 1) / mantissa as u64) as u32
     }
-    // 2^63 − 1, so that the reciprocal of 2³¹ fits.
-    (((1u64 << 63) - 1) / mantissa as u64) as u32
+}
+
+/// The same for cores that divide in software: less than half of the library's instructions.
+const fn reciprocal_by_digits(mantissa: u32) -> u32 {
+    // The upper half of 2^63 − 1 is below the mantissa, and all digits of the lower one are 1.
+    let (mut rest, mut quotient, mut digits) = ((1u32 << 31) - 1, 0u32, 0);
+    while digits < 32 {
+        let is_long = rest >> 31 == 1;
+        rest = rest << 1 | 1;
+        quotient <<= 1;
+        if is_long || rest >= mantissa {
+            rest = rest.wrapping_sub(mantissa);
+            quotient |= 1;
+        }
+        digits += 1;
+    }
+    quotient
 }
 
 #[cfg(test)]
@@ -262,6 +282,15 @@ mod tests {
             let square = i128::from(square);
             prop_assert!(4 * square <= (2 * root + 1) * (2 * root + 1) || root == 0xffff_ffff);
             prop_assert!(root == 0 || 4 * square > (2 * root - 1) * (2 * root - 1));
+        }
+
+        #[test]
+        fn reciprocals_are_cut_off(mantissa in 1u32 << 31..) {
+            for mantissa in [mantissa, 1 << 31, (1 << 31) + (mantissa & 15), u32::MAX] {
+                let want = ((1u64 << 63) - 1) / u64::from(mantissa);
+                prop_assert_eq!(u64::from(reciprocal(mantissa)), want);
+                prop_assert_eq!(u64::from(reciprocal_by_digits(mantissa)), want);
+            }
         }
 
         #[test]

@@ -40,7 +40,7 @@ pub(crate) const fn leading_zeros(value: u64) -> u32 {
 
 /// Whether the core has no wide product: of those that Rust compiles for, ARMv6-M. It is the one
 /// Arm without atomic exchange.
-const IS_NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+pub(crate) const IS_NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
 #[inline(never)]
 const fn product_of_halves(a: u32, b: u32) -> u64 {

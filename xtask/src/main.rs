@@ -136,6 +136,8 @@ fn boards(chosen: &Boards) -> Result<(), String> {
             if let Some(path) = &chosen.png {
                 host::image::write_png(path, std::slice::from_ref(&outcome.frame))?;
             }
+            let least = toolchain.build(board, number, "render_only", &[])?;
+            let render_flash = elf::Contents::read(&least)?.flash;
             let counts = counts::measure(&toolchain, board, number)?;
             let changes = counts.compare(chosen.overwrite)?;
             changes.iter().for_each(|change| eprintln!("  {}", change.text));
@@ -145,7 +147,7 @@ fn boards(chosen: &Boards) -> Result<(), String> {
                     .filter(|change| change.is_worse)
                     .map(|change| format!("{board}, {number}: {}", change.text)),
             );
-            rows.push(report::Row { board, number, contents, outcome, counts });
+            rows.push(report::Row { board, number, contents, render_flash, outcome, counts });
         }
     }
     let table = report::table(&rows);
