@@ -30,7 +30,7 @@ fn a_render_of_tee_needs_little_memory() {
     let [single, fixed] = [size::<f32>(), size::<I16F16>()];
     println!("picture: {single} bytes in f32, {fixed} in I16F16");
     // Pointers are half as long on a microcontroller.
-    assert!(single <= 1900, "{single}");
-    assert!(fixed <= 3400, "{fixed}");
+    assert!(single <= 1280, "{single}");
+    assert!(fixed <= 2048, "{fixed}");
     assert_eq!(packet_capacity(160, PixelFormat::Gray8), 172);
 }

@@ -215,9 +215,7 @@ impl<S: Scalar> Leaf<Parallel<S>> for Slab<S> {
         let [middle, right, down] = rays.steps(Vec3::ZERO).map(|step| self.normal.dot_fine(step));
         let is_edge_on = inverse == S::Fine::ZERO;
         let step = if is_edge_on { right } else { -right * inverse };
-        let low_first = inverse > S::Fine::ZERO;
-        let faces = if low_first { [Face(0), Face(1)] } else { [Face(1), Face(0)] };
-        ParallelView { height: [middle, down], inverse, step, faces }
+        ParallelView { height: [middle, down], inverse, step }
     }
 
     fn in_row(&self, view: &ParallelView<S>, y: i32, columns: u32) -> (ParallelRow<S>, Extent) {
@@ -246,14 +244,14 @@ impl<S: Scalar> Slab<S> {
         y: i32,
         columns: u32,
     ) -> ParallelRow<S> {
-        let ParallelView { height: [middle, down], inverse, step, faces } = *view;
+        let ParallelView { height: [middle, down], inverse, step } = *view;
         let height = middle.after_steps(down, y);
         if inverse == S::Fine::ZERO {
             return ParallelRow::EdgeOn(EdgeOn { height, step, speed: S::Fine::ZERO });
         }
         let [low, high] = [self.low, self.high].map(|offset| (offset.fine() - height) * inverse);
         if [low, high].iter().all(|at| at.holds_steps(step, columns as i32)) {
-            let (near, far) = if faces[0] == Face(0) { (low, high) } else { (high, low) };
+            let (near, far) = if view.high_first() { (high, low) } else { (low, high) };
             return ParallelRow::Across(Ends { near, far });
         }
         let speed = S::Fine::ONE / inverse;
@@ -287,7 +285,7 @@ impl<S: Scalar> Ends<S> {
     #[inline]
     pub(super) fn span(&self, view: &ParallelView<S>, x: i32) -> Option<Span<S>> {
         let [enter, exit] = self.at(view, x);
-        let [near, far] = view.faces;
+        let [near, far] = faces(view.high_first());
         Span::new(Crossing { t: enter, face: near }, Crossing { t: exit, face: far })
     }
 
@@ -318,17 +316,26 @@ pub struct ParallelView<S: Scalar> {
     /// What half a column adds to where the planes are crossed; or to the height, for rays along
     /// the planes.
     step: S::Fine,
-    /// The planes in the order in which rays meet them.
-    pub(super) faces: [Face; 2],
+}
+
+impl<S: Scalar> ParallelView<S> {
+    /// Whether rays meet the high plane before the low one.
+    #[inline]
+    pub(super) fn high_first(&self) -> bool {
+        self.inverse < S::Fine::ZERO
+    }
+}
+
+/// The planes in the order in which rays meet them.
+#[inline]
+pub(super) fn faces(high_first: bool) -> [Face; 2] {
+    let near = u16::from(high_first);
+    [Face(near), Face(1 - near)]
 }
 
 impl<S: Scalar> Blank for ParallelView<S> {
-    const BLANK: Self = Self {
-        height: [S::Fine::ZERO; 2],
-        inverse: S::Fine::ZERO,
-        step: S::Fine::ZERO,
-        faces: [Face(0); 2],
-    };
+    const BLANK: Self =
+        Self { height: [S::Fine::ZERO; 2], inverse: S::Fine::ZERO, step: S::Fine::ZERO };
 }
 
 /// A row of a slab, seen along parallel rays.

@@ -22,6 +22,7 @@ impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
         let steps = rays.steps(self.tube.base.fine());
         let moments = steps.map(|step| step.cross(axis));
         let (caps, rows) = (self.caps.seen_along(rays), self.rows(rays));
+        let high_first = caps.high_first();
         // An angle too small to divide by hardly moves a ray within the length of a scene.
         let across = m.max_abs().is_divisor().then(|| m.normalized()).flatten();
         if let Some(n) = across {
@@ -36,6 +37,7 @@ impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
                 reach: reach.stretched(stretch),
                 caps,
                 rows,
+                high_first,
                 is_along: false,
             }
         } else {
@@ -45,6 +47,7 @@ impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
                 second: moments.map(|moment| moment.dot(other)),
                 caps,
                 rows,
+                high_first,
                 is_along: true,
                 ..ParallelView::BLANK
             }
@@ -87,7 +90,9 @@ impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
             return;
         };
         match self.chord(view, row, x) {
-            Some(chord) => set_common(span, chord, caps.at(&view.caps, x), view.caps.faces),
+            Some(chord) => {
+                set_common(span, chord, caps.at(&view.caps, x), slab::faces(view.high_first))
+            }
             None => *span = Span::NOWHERE,
         }
     }
@@ -166,6 +171,8 @@ pub struct ParallelView<S: Scalar> {
     reach: S::Fine,
     caps: slab::ParallelView<S>,
     rows: Rows,
+    /// Whether rays meet the high cap before the low one: here, where it takes no room.
+    high_first: bool,
     is_along: bool,
 }
 
@@ -177,6 +184,7 @@ impl<S: Scalar> Blank for ParallelView<S> {
         reach: S::Fine::ZERO,
         caps: slab::ParallelView::BLANK,
         rows: Rows::BLANK,
+        high_first: false,
         is_along: false,
     };
 }
