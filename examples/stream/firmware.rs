@@ -19,8 +19,9 @@ use scancsg::stream::{SendError, Sender, packet_capacity};
 const WIDTH: u16 = 160;
 const HEIGHT: u16 = 120;
 const PACKET: usize = packet_capacity(WIDTH, PixelFormat::Gray8);
-/// How often a frame is sent to somebody who doesn't read it or doesn't answer.
-const FRAMES: u16 = 4;
+/// How often a frame is sent to somebody who doesn't read it or doesn't answer. An emulated board's
+/// seconds can be short, and its host busy.
+const FRAMES: u16 = 12;
 
 #[cfg(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16"))))]
 mod number {

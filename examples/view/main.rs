@@ -1,9 +1,12 @@
 //! The host's receiver: shows and saves the frames that a device sends through a serial port.
 //!
-//! A tool for hosts; for bare metal it is an empty program, so that all examples build there too.
+//! A tool for hosts; as firmware it only says so, so that all examples build there too.
 
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
+#[cfg(target_os = "none")]
+#[path = "../board/mod.rs"]
+mod board;
 #[cfg(not(target_os = "none"))]
 #[path = "../host/mod.rs"]
 mod host;
@@ -16,7 +19,10 @@ fn main() -> std::process::ExitCode {
 }
 
 #[cfg(target_os = "none")]
-#[panic_handler]
-fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
-    loop {}
+#[board::entry]
+fn main() -> ! {
+    loop {
+        board::say("`view` is for hosts\n");
+        board::finish(false);
+    }
 }
