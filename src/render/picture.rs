@@ -309,6 +309,16 @@ where
         if self.seen.inside { -outward } else { outward }
     }
 
+    /// The scalar product of the normal on the side that is seen and another vector: of length 1,
+    /// the cosine of the angle between them.
+    #[must_use]
+    #[inline]
+    pub fn cosine(&self, to: Vec3<R::Scalar>) -> R::Scalar {
+        let outward = self.solid.normal(self.seen.face, self.line().at(self.seen.t)).dot(to);
+        // One number to negate instead of three; rounding is the same on either side of zero.
+        if self.seen.inside { outward.negated() } else { outward }
+    }
+
     /// The length of the ray inside the solid, in scene units.
     #[must_use]
     pub fn path_length(&mut self) -> R::Scalar {

@@ -76,7 +76,7 @@ impl<S: Scalar> Shader<S> for Lambert<S> {
         T: Solid<Scalar = S> + Project<R>,
         R: Rays<Scalar = S>,
     {
-        let cosine = sample.normal().dot(self.to_light);
+        let cosine = sample.cosine(self.to_light);
         self.ambient.plus(self.diffuse.times(cosine.max(S::ZERO))).to_level()
     }
 }
