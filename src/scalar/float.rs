@@ -273,8 +273,13 @@ macro_rules! float {
 
             #[inline]
             fn to_level(self) -> u8 {
-                // By way of a whole number with a sign, whose range costs nothing on most targets.
-                ((self * 255.0 + 0.5) as i32).clamp(0, 255) as u8
+                let level = self * 255.0 + 0.5;
+                // Arm converts to the range of `i32` by itself, and x86 to none.
+                if cfg!(target_arch = "arm") {
+                    (level as i32).clamp(0, 255) as u8
+                } else {
+                    level as u8
+                }
             }
 
             #[inline(always)]
