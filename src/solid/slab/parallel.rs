@@ -1,0 +1,173 @@
+//! The slab along parallel rays: both planes are crossed at parameters that are affine in the column.
+
+use super::Slab;
+use crate::geom::{Affine, Extent, Parallel, Vec3};
+use crate::scalar::{Number, Real, Scalar};
+use crate::solid::row::{Blank, Leaf};
+use crate::solid::strip::columns_between;
+use crate::span::{Crossing, Face, Span};
+
+impl<S: Scalar> Leaf<Parallel<S>> for Slab<S> {
+    type View = ParallelView<S>;
+    type Row = ParallelRow<S>;
+
+    fn seen_along(&self, rays: &Parallel<S>) -> ParallelView<S> {
+        let speed = self.normal.dot_fine(rays.forward);
+        let inverse = if speed.is_divisor() { S::Fine::ONE / speed } else { S::Fine::ZERO };
+        let [middle, right, down] = rays.steps(Vec3::ZERO).map(|step| self.normal.dot_fine(step));
+        let is_edge_on = inverse == S::Fine::ZERO;
+        let step = if is_edge_on { right } else { -right * inverse };
+        ParallelView { height: [middle, down], inverse, step }
+    }
+
+    fn in_row(&self, view: &ParallelView<S>, y: i32, columns: u32) -> (ParallelRow<S>, Extent) {
+        let row = self.parallel_row(view, y, columns);
+        let extent = match &row {
+            ParallelRow::EdgeOn(row) => self.columns(row, columns),
+            _ => Extent::all(columns),
+        };
+        (row, extent)
+    }
+
+    #[inline]
+    fn span(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32) -> Option<Span<S>> {
+        match row {
+            ParallelRow::Nowhere => None,
+            ParallelRow::Across(ends) => ends.span(view, x),
+            ParallelRow::EdgeOn(row) => self.edge_on_span(row, x),
+        }
+    }
+}
+
+impl<S: Scalar> Slab<S> {
+    pub(in crate::solid) fn parallel_row(
+        &self,
+        view: &ParallelView<S>,
+        y: i32,
+        columns: u32,
+    ) -> ParallelRow<S> {
+        let ParallelView { height: [middle, down], inverse, step } = *view;
+        let height = middle.after_steps(down, y);
+        if inverse == S::Fine::ZERO {
+            return ParallelRow::EdgeOn(EdgeOn { height, step, speed: S::Fine::ZERO });
+        }
+        let [low, high] = [self.low, self.high].map(|offset| (offset.fine() - height) * inverse);
+        if [low, high].iter().all(|at| at.holds_steps(step, columns as i32)) {
+            let (near, far) = if view.high_first() { (high, low) } else { (low, high) };
+            return ParallelRow::Across(Ends { near, far });
+        }
+        let speed = S::Fine::ONE / inverse;
+        ParallelRow::EdgeOn(EdgeOn { height, step: -(step * speed), speed })
+    }
+
+    #[inline]
+    pub(in crate::solid) fn edge_on_span(&self, row: &EdgeOn<S>, x: i32) -> Option<Span<S>> {
+        self.passage(row.height.after_steps(row.step, x), row.speed).span()
+    }
+
+    /// The columns in which rays along the planes, or almost, can be between them.
+    pub(in crate::solid) fn columns(&self, row: &EdgeOn<S>, columns: u32) -> Extent {
+        if row.speed != S::Fine::ZERO {
+            return Extent::all(columns);
+        }
+        let (low, high) = (self.low.fine(), self.high.fine());
+        let height = Affine { middle: row.height, step: row.step };
+        let size = low.abs() + high.abs() + row.height.abs();
+        columns_between::<S>(height, [low, high], size, columns)
+    }
+}
+
+impl<S: Scalar> Ends<S> {
+    /// Where the planes are crossed.
+    #[inline(always)]
+    pub(in crate::solid) fn at(&self, view: &ParallelView<S>, x: i32) -> [S; 2] {
+        [self.near, self.far].map(|end| S::from_fine(end.after_steps(view.step, x)))
+    }
+
+    #[inline]
+    pub(in crate::solid) fn span(&self, view: &ParallelView<S>, x: i32) -> Option<Span<S>> {
+        let [enter, exit] = self.at(view, x);
+        let [near, far] = faces(view.high_first());
+        Span::new(Crossing { t: enter, face: near }, Crossing { t: exit, face: far })
+    }
+
+    /// The columns in which rays can be between the planes no farther than `reach` from `middle`.
+    pub(in crate::solid) fn columns(
+        &self,
+        view: &ParallelView<S>,
+        middle: Affine<S::Fine>,
+        reach: S::Fine,
+        columns: u32,
+    ) -> Extent {
+        let (near, far) = (self.near - reach, self.far + reach);
+        // The ends move as well: what counts is how the middle moves along them.
+        let along = Affine { step: middle.step - view.step, ..middle };
+        let way = S::Fine::ZERO.after_steps(middle.step, columns as i32);
+        let size = near.abs().max(far.abs()) + middle.middle.abs() + way.abs() + reach;
+        columns_between::<S>(along, [near, far], size, columns)
+    }
+}
+
+/// A slab, seen along parallel rays.
+#[derive(Debug, Clone, Copy)]
+pub struct ParallelView<S: Scalar> {
+    /// normal·p in the middle of the image plane, and its step down.
+    height: [S::Fine; 2],
+    /// 1/(normal·d), or 0 if the rays run along the planes.
+    inverse: S::Fine,
+    /// What half a column adds to where the planes are crossed; or to the height, for rays along
+    /// the planes.
+    step: S::Fine,
+}
+
+impl<S: Scalar> ParallelView<S> {
+    /// Whether rays meet the high plane before the low one.
+    #[inline]
+    pub(in crate::solid) fn high_first(&self) -> bool {
+        self.inverse < S::Fine::ZERO
+    }
+}
+
+/// The planes in the order in which rays meet them.
+#[inline]
+pub(in crate::solid) fn faces(high_first: bool) -> [Face; 2] {
+    let near = u16::from(high_first);
+    [Face(near), Face(1 - near)]
+}
+
+impl<S: Scalar> Blank for ParallelView<S> {
+    const BLANK: Self =
+        Self { height: [S::Fine::ZERO; 2], inverse: S::Fine::ZERO, step: S::Fine::ZERO };
+}
+
+/// A row of a slab, seen along parallel rays.
+#[derive(Debug, Clone, Copy)]
+pub enum ParallelRow<S: Scalar> {
+    /// Not set yet.
+    Nowhere,
+    /// Both planes are crossed, at parameters that are affine in the column.
+    Across(Ends<S>),
+    /// The rays run along the planes, or almost.
+    EdgeOn(EdgeOn<S>),
+}
+
+impl<S: Scalar> Blank for ParallelRow<S> {
+    const BLANK: Self = Self::Nowhere;
+}
+
+/// Where the middle of a row crosses the planes: first the one, then the other.
+#[derive(Debug, Clone, Copy)]
+pub struct Ends<S: Scalar> {
+    near: S::Fine,
+    far: S::Fine,
+}
+
+/// A row of rays along the planes, or almost.
+#[derive(Debug, Clone, Copy)]
+pub struct EdgeOn<S: Scalar> {
+    /// normal·p in the middle, and what half a column adds to it.
+    height: S::Fine,
+    step: S::Fine,
+    /// normal·d.
+    speed: S::Fine,
+}
