@@ -1,4 +1,4 @@
-//! Golden pictures: `tee` and `pipe` as text art that a reader can judge, and a hash for every row of a
+//! Golden pictures: `tee`, `pipe` and `plate` as text art that a reader can judge, and a hash for every row of a
 //! larger picture that pins down each bit of `f32` and of `I16F16`.
 //!
 //! Run with `SCANCSG_BLESS=1` to write the files anew, and then look at the difference before
@@ -11,6 +11,7 @@ mod scene;
 
 use scene::Scene;
 use scene::pipe::PipeScene;
+use scene::plate::PlateScene;
 
 use scancsg::geom::Rays;
 use scancsg::render::{Camera, Gray8, Lambert, Picture, Pixel, Shader, Size, XRay};
@@ -98,6 +99,11 @@ fn pipe<S: PipeScene>(width: u16, height: u16) -> Vec<Vec<u8>> {
     rows(&pipe, &S::perspective().unwrap(), lambert::<S>(), width, height)
 }
 
+/// With so many holes.
+fn plate<S: PlateScene<N>, const N: usize>(width: u16, height: u16) -> Vec<Vec<u8>> {
+    rows(&S::PLATE, &S::orthographic().unwrap(), lambert::<S>(), width, height)
+}
+
 #[test]
 fn lambert_orthographic() {
     golden("tee_lambert_orthographic.txt", &art(&orthographic::<f32>(48, 36)));
@@ -139,6 +145,27 @@ fn pipe_in_perspective() {
     golden("pipe_lambert_perspective.txt", &art(&pipe::<f32>(48, 36)));
     golden("pipe_160x120_perspective.txt", &hashes(&pipe::<f32>(160, 120)));
     golden("pipe_160x120_perspective_i16f16.txt", &hashes(&pipe::<I16F16>(160, 120)));
+}
+
+#[test]
+fn plate_with_sixteen_holes() {
+    golden("plate_lambert_orthographic.txt", &art(&plate::<f32, 16>(48, 36)));
+    golden("plate_160x120_orthographic.txt", &hashes(&plate::<f32, 16>(160, 120)));
+    golden("plate_160x120_orthographic_i16f16.txt", &hashes(&plate::<I16F16, 16>(160, 120)));
+}
+
+/// More holes are more primitives, and not more or less to see: figures of `scene::plate`.
+#[test]
+fn plates_cover_the_same_whatever_the_number_of_holes() {
+    let covered = |rows: Vec<Vec<u8>>| rows.iter().flatten().filter(|level| **level > 0).count();
+    let counts = [
+        plate::<f32, 1>(160, 120),
+        plate::<f32, 4>(160, 120),
+        plate::<f32, 16>(160, 120),
+        plate::<f32, 64>(160, 120),
+    ];
+    let per_thousand = counts.map(|rows| (covered(rows) * 1000 + 9600) / 19_200);
+    assert_eq!(per_thousand, [371, 376, 385, 401]);
 }
 
 /// The catalogue's check value: the hash is the one that other tools call CRC-32.

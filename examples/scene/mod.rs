@@ -1,9 +1,10 @@
-//! `tee`, the part that every measurement of this crate uses (and beside it [`pipe`]): a pipe with two flanges, a branch,
-//! bores through both, and four bolt holes. Units are arbitrary.
+//! `tee`, the part that every measurement of this crate uses (and beside it [`pipe`] and [`plate`]): a
+//! pipe with two flanges, a branch, bores through both, and four bolt holes. Units are arbitrary.
 
 #![allow(dead_code)] // every user takes what it needs
 
 pub mod pipe;
+pub mod plate;
 
 use scancsg::constant;
 use scancsg::geom::{Vec3, vec3};
