@@ -4,7 +4,7 @@ use crate::accuracy::{self, Accuracy};
 use crate::methods::Method;
 use crate::oracle::Truth;
 use crate::rays::{Group, Query, SETS, Set};
-use crate::timing::{self, Cost};
+use crate::timing::{self, Cost, Pass};
 
 /// A method on a set.
 pub struct Row {
@@ -49,7 +49,7 @@ impl Results {
             // How fast a method finds out that a ray is none says nothing.
             let costs = match set.group {
                 Group::Invalid => vec![None; methods.len()],
-                _ => timing::measure(&methods, &answered, rounds),
+                _ => timing::compare(turns(&methods, &answered), rounds),
             };
             let figures = accuracies.into_iter().zip(costs).enumerate();
             rows.extend(figures.map(|(method, (accuracy, cost))| Row {
@@ -70,6 +70,12 @@ impl Results {
         let mean = logs.iter().sum::<f64>() / logs.len() as f64;
         Summary { accuracy, ratio: (!logs.is_empty()).then(|| mean.exp()) }
     }
+}
+
+/// What is timed: every method, on the queries that it answers.
+fn turns(methods: &[Method], answered: &[Vec<Query>]) -> Vec<(Pass, usize)> {
+    let turns = methods.iter().zip(answered);
+    turns.map(|(method, queries)| ((method.prepare_pass)(queries), queries.len())).collect()
 }
 
 /// The queries in a method's numbers and what is true about them, found out once for each kind of

@@ -1,13 +1,35 @@
-//! Nanoseconds per ray or point, and as a multiple of the first method's.
+//! Nanoseconds per ray, point or pixel, and as a multiple of what something else takes.
 
-use crate::methods::Method;
-use crate::rays::Query;
 use std::time::{Duration, Instant};
 
 /// Answers some queries once, for a clock around the call.
 pub type Pass = Box<dyn Fn()>;
 
-/// What every time is a multiple of: the first method.
+/// Times of passes: of each in every round.
+///
+/// In each round, all passes take their turn, and are compared within the round: what else the machine
+/// does falls on all of them. Medians over the rounds leave single disturbances out.
+pub struct Rounds(Vec<Vec<f64>>);
+
+impl Rounds {
+    /// Times passes over so many things each.
+    pub fn of(passes: Vec<(Pass, usize)>, rounds: usize) -> Self {
+        let turns: Vec<_> = passes.into_iter().map(|(run, count)| Turn::new(run, count)).collect();
+        Self((0..rounds).map(|_| turns.iter().map(Turn::nanoseconds).collect()).collect())
+    }
+
+    /// What a pass takes for each of its things.
+    pub fn nanoseconds(&self, pass: usize) -> f64 {
+        median(self.0.iter().map(|round| round[pass]))
+    }
+
+    /// The same as a multiple of what another takes.
+    pub fn ratio(&self, pass: usize, to: usize) -> f64 {
+        median(self.0.iter().map(|round| round[pass] / round[to]))
+    }
+}
+
+/// What every time is a multiple of, in tables of methods: the first one's.
 const BASELINE: usize = 0;
 
 #[derive(Debug, Clone, Copy)]
@@ -16,29 +38,13 @@ pub struct Cost {
     pub ratio: f64,
 }
 
-/// Times every method on the queries that it answers; `None` where it answers none.
-///
-/// In each round, all methods take their turn, and are compared within the round: what else the
-/// machine does falls on all of them. Medians over the rounds leave single disturbances out.
-pub fn measure(methods: &[Method], answered: &[Vec<Query>], rounds: usize) -> Vec<Option<Cost>> {
-    let turns = methods.iter().zip(answered);
-    let turns = turns.map(|(method, queries)| ((method.prepare_pass)(queries), queries.len()));
-    compare(turns.collect(), rounds)
-}
-
-/// Times passes over so many things each, and compares them with the first one.
+/// Times passes over so many things each, and compares them with the first one; `None` where there are
+/// none.
 pub fn compare(passes: Vec<(Pass, usize)>, rounds: usize) -> Vec<Option<Cost>> {
-    let turns: Vec<_> = passes.into_iter().map(|(run, count)| Turn::new(run, count)).collect();
-    let times: Vec<Vec<f64>> =
-        (0..rounds).map(|_| turns.iter().map(Turn::nanoseconds).collect()).collect();
-    (0..turns.len())
-        .map(|i| {
-            (turns[i].count > 0 && turns[BASELINE].count > 0).then(|| Cost {
-                nanoseconds: median(times.iter().map(|round| round[i])),
-                ratio: median(times.iter().map(|round| round[i] / round[BASELINE])),
-            })
-        })
-        .collect()
+    let counts: Vec<usize> = passes.iter().map(|(_, count)| *count).collect();
+    let times = Rounds::of(passes, rounds);
+    let cost = |i| Cost { nanoseconds: times.nanoseconds(i), ratio: times.ratio(i, BASELINE) };
+    (0..counts.len()).map(|i| (counts[i] > 0 && counts[BASELINE] > 0).then(|| cost(i))).collect()
 }
 
 /// The shortest time that the clock is started for.
