@@ -1,13 +1,15 @@
 //! How many instructions the parts take on a board, counted by the emulator: exact, and the same in
-//! every run. Of splines the loop around them is taken off, by counting it around nothing; a call and
-//! its return belong to them. On a host the parts run once, so that they stay good; for times there, see
-//! `cargo bench --bench parts`.
+//! every run. Of rays made ready and of splines the loop around them is taken off, by counting it around
+//! nothing; a call and its return belong to them. On a host everything runs once, so that it stays good;
+//! for times there, see `cargo bench --bench parts` and `--bench render`.
 
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
+mod benign;
 #[cfg(target_os = "none")]
 #[path = "../board/mod.rs"]
 mod board;
+mod frames;
 mod parts;
 #[path = "../scene/mod.rs"]
 mod scene;
@@ -23,22 +25,22 @@ fn main() -> ! {
         say_number(count);
         say("\n");
     };
-    for parts::Part { name, work, idle } in parts::PARTS {
+    for parts::Part { name, inputs, work, idle } in parts::PARTS {
         // The difference leaves out what is done once.
-        let sixteen = |work| {
+        let all = |work| {
             let few = counter.instructions(work, 4);
-            counter.instructions(work, 4 + 16).saturating_sub(few)
+            counter.instructions(work, 4 + inputs).saturating_sub(few)
         };
-        report([name, ""], sixteen(*work).saturating_sub(sixteen(*idle)) / 16);
+        report([name, ""], all(*work).saturating_sub(all(*idle)) / inputs);
     }
-    for parts::Frame { name, view, row, frame } in parts::FRAMES {
+    for frames::Frame { name, view, row, frame } in frames::FRAMES {
         // Row by row, because the counters of some boards don't reach far enough for a frame.
         let view = counter.instructions(*view, 0);
         let of_row = |y: u16| counter.instructions(*row, y.into()).saturating_sub(view);
         report([name, ": view"], view);
-        report([name, ": middle row"], of_row(parts::HEIGHT / 2));
-        let all = (0..parts::HEIGHT).map(of_row).fold(view, u32::saturating_add);
-        let pixels = u32::from(parts::WIDTH) * u32::from(parts::HEIGHT);
+        report([name, ": middle row"], of_row(frames::HEIGHT / 2));
+        let all = (0..frames::HEIGHT).map(of_row).fold(view, u32::saturating_add);
+        let pixels = u32::from(frames::WIDTH) * u32::from(frames::HEIGHT);
         report([name, ": frame, a pixel"], all / pixels);
         // For `cargo xtask profile`.
         frame(0);
@@ -51,14 +53,14 @@ fn main() -> ! {
 #[cfg(not(target_os = "none"))]
 fn main() {
     for part in parts::PARTS {
-        (part.work)(1);
-        (part.idle)(1);
+        (part.work)(part.inputs);
+        (part.idle)(part.inputs);
         println!("{} ran", part.name);
     }
-    for frame in parts::FRAMES {
+    for frame in frames::FRAMES {
         (frame.view)(0);
         (frame.row)(0);
         (frame.frame)(0);
-        println!("{} frame, {} pixels wide: ran", frame.name, parts::WIDTH);
+        println!("{} frame, {} pixels wide: ran", frame.name, frames::WIDTH);
     }
 }

@@ -1,11 +1,12 @@
 //! The parts, each as a function that does it so many times.
 
-use crate::scene::{Scene, Tee};
+use crate::benign;
+use crate::frames::WIDTH;
+use crate::scene::Scene;
 use core::hint::black_box;
-use core::ops::Range;
 use scancsg::constant;
 use scancsg::geom::{Ray, Vec3, vec3};
-use scancsg::render::{Gray8, Lambert, Picture, PixelFormat, Size};
+use scancsg::render::{Gray8, PixelFormat};
 use scancsg::scalar::I16F16;
 use scancsg::solid::Solid;
 use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
@@ -17,10 +18,12 @@ pub type Number = f32;
 #[cfg(not(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16")))))]
 pub type Number = I16F16;
 
-/// Something to be counted: `work` does it as often as its argument says. What `idle` takes is not
-/// counted: the same loop around nothing, with the same arguments and a place for the result.
+/// Something to be counted: `work` does it as often as its argument says, with so many `inputs` by
+/// turns. What `idle` takes is not counted: the same loop around nothing, with the same arguments and
+/// a place for the result.
 pub struct Part {
     pub name: &'static str,
+    pub inputs: u32,
     pub work: extern "C" fn(u32),
     pub idle: extern "C" fn(u32),
 }
@@ -28,46 +31,27 @@ pub struct Part {
 /// For parts that are counted with the loop around them.
 extern "C" fn nothing(_: u32) {}
 
-pub const PARTS: &[Part] = &[
-    Part { name: "cylinder: ray and query", work: cylinder_ray_and_query, idle: nothing },
-    Part { name: "cylinder: query", work: cylinder_query, idle: nothing },
-    Part { name: "merge of 4 and 4 spans", work: merge_spans, idle: nothing },
-    Part { name: "encode a row", work: encode, idle: nothing },
-    Part { name: "decode a row", work: decode, idle: nothing },
-    Part { name: "spline: editable point", work: editable_point, idle: idle_points },
-    Part { name: "spline: baked point", work: baked_point, idle: idle_points },
-    Part { name: "spline: basis functions", work: basis_functions, idle: idle_points },
-    Part { name: "spline: step of a sweep", work: sweep_step, idle: idle_steps },
-];
-
-/// A picture: its view alone, its view and the row that the argument says, and all of it.
-pub struct Frame {
-    pub name: &'static str,
-    pub view: extern "C" fn(u32),
-    pub row: extern "C" fn(u32),
-    pub frame: extern "C" fn(u32),
+macro_rules! parts {
+    ($($name:literal: $inputs:expr, $work:expr, $idle:expr;)+) => {
+        pub const PARTS: &[Part] =
+            &[$(Part { name: $name, inputs: $inputs, work: $work, idle: $idle },)+];
+    };
 }
 
-pub const FRAMES: &[Frame] = &[
-    Frame {
-        name: "orthographic",
-        view: orthographic_view,
-        row: orthographic_row,
-        frame: orthographic_frame,
-    },
-    Frame {
-        name: "perspective",
-        view: perspective_view,
-        row: perspective_row,
-        frame: perspective_frame,
-    },
-];
+parts! {
+    "cylinder: ready ray": benign::COUNT as u32, benign::ready_ray, benign::idle_rays;
+    "cylinder: ray and query": 16, cylinder_ray_and_query, nothing;
+    "cylinder: query": 16, cylinder_query, nothing;
+    "merge of 4 and 4 spans": 16, merge_spans, nothing;
+    "encode a row": 16, encode, nothing;
+    "decode a row": 16, decode, nothing;
+    "spline: editable point": 16, editable_point, idle_points;
+    "spline: baked point": 16, baked_point, idle_points;
+    "spline: basis functions": 16, basis_functions, idle_points;
+    "spline: step of a sweep": 16, sweep_step, idle_steps;
+}
 
-pub const WIDTH: u16 = 160;
-pub const HEIGHT: u16 = 120;
 const PACKET: usize = packet_capacity(WIDTH, PixelFormat::Gray8);
-
-static TEE: Tee<Number> = Number::TEE;
 
 fn vector(hundredths: [i32; 3]) -> Vec3<Number> {
     Vec3::from(hundredths.map(Number::hundredths))
@@ -126,49 +110,6 @@ extern "C" fn merge_spans(times: u32) {
         let _ = merge(Operation::UNION, &mut stack, 0, 4);
         black_box(&list);
     }
-}
-
-fn light() -> Option<Lambert<Number>> {
-    Lambert::new(Number::TO_LIGHT, Number::hundredths(15)).ok()
-}
-
-macro_rules! frames {
-    ($($camera:ident: $rows:ident, $view:ident, $row:ident, $frame:ident;)+) => {$(
-        #[inline(never)]
-        fn $rows(rows: Range<u16>) {
-            let (Ok(camera), Some(light)) = (Number::$camera(), light()) else { return };
-            let Ok(size) = Size::new(WIDTH, HEIGHT) else { return };
-            let mut picture = Picture::new(&TEE, black_box(&camera), size, light, Gray8(0));
-            picture.prepare();
-            let mut pixels = [Gray8(0); WIDTH as usize];
-            for y in rows {
-                let _ = picture.scanline(y).and_then(|mut row| row.render(&mut pixels));
-                black_box(&pixels);
-            }
-            black_box(&picture);
-        }
-
-        #[inline(never)]
-        extern "C" fn $view(_: u32) {
-            $rows(0..0);
-        }
-
-        #[inline(never)]
-        extern "C" fn $row(y: u32) {
-            let y = y as u16;
-            $rows(y..y + 1);
-        }
-
-        #[inline(never)]
-        extern "C" fn $frame(_: u32) {
-            $rows(0..HEIGHT);
-        }
-    )+};
-}
-
-frames! {
-    orthographic: orthographic_rows, orthographic_view, orthographic_row, orthographic_frame;
-    perspective: perspective_rows, perspective_view, perspective_row, perspective_frame;
 }
 
 /// A row as renders make them: background, a shaded part, a gap, and background.
