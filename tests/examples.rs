@@ -263,3 +263,17 @@ fn stream_sends_to_a_serial_device() {
     let levels: Vec<u8> = rendered(48, 36).iter().map(|pixel| pixel.0).collect();
     assert_eq!(receiver.pixels(), levels);
 }
+
+/// The example `bench` counts on boards what the set `benign` takes: its table is that set.
+#[test]
+fn the_rays_that_boards_count_are_the_benign_ones() {
+    let table = include_str!("../examples/bench/benign.rs").lines().filter_map(|line| {
+        let numbers = line.trim().strip_prefix("[0x")?.strip_suffix("],")?;
+        Some(numbers.replace(", 0x", ","))
+    });
+    let benign = include_str!("reference/cylinder.csv").lines().filter_map(|line| {
+        let numbers: Vec<&str> = line.strip_prefix("benign,")?.split(',').take(8).collect();
+        Some(numbers.join(","))
+    });
+    assert!(table.clone().count() == 100 && table.eq(benign));
+}
