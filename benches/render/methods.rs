@@ -1,4 +1,6 @@
 //! Three ways to the same picture.
+//!
+//! Solids are constants, as in a firmware: so each way gets a function that gives one.
 
 use super::scene::Scene;
 use scancsg::geom::{Line, RayRow, Rays, Vec3};
@@ -22,13 +24,14 @@ fn width(size: Size) -> usize {
 }
 
 /// As pictures are rendered: row by row, by silhouettes, and only up to the first surface.
-pub fn rows<S, T, C>(solid: T, camera: C, size: Size) -> Frame
+pub fn rows<S, T, C>(solid: impl Fn() -> T + 'static, camera: C, size: Size) -> Frame
 where
     S: Scene,
     C: Camera<Rays: Rays<Scalar = S>> + 'static,
-    T: Solid<Scalar = S> + Project<C::Rays> + 'static,
+    T: Solid<Scalar = S> + Project<C::Rays>,
 {
     Box::new(move |pixels| {
+        let solid = solid();
         let mut picture = Picture::new(&solid, &camera, size, light::<S>(), Gray8(0));
         let mut rows = (0..).zip(pixels.chunks_exact_mut(width(size)));
         let done: Result<(), RowError> =
@@ -38,13 +41,18 @@ where
 }
 
 /// By the same rows, with the list of all spans in every pixel that its silhouettes don't rule out.
-pub fn lists<S, T, C, const N: usize>(solid: T, camera: C, size: Size) -> Frame
+pub fn lists<S, T, C, const N: usize>(
+    solid: impl Fn() -> T + 'static,
+    camera: C,
+    size: Size,
+) -> Frame
 where
     S: Scene,
     C: Camera<Rays: Rays<Scalar = S>> + 'static,
-    T: Solid<Scalar = S> + Project<C::Rays> + 'static,
+    T: Solid<Scalar = S> + Project<C::Rays>,
 {
     Box::new(move |pixels| {
+        let solid = solid();
         let mut picture = Picture::new(&solid, &camera, size, light::<S>(), Gray8(0));
         let shade = Shade::<S>::new();
         let rays = camera.rays(size);
@@ -61,13 +69,18 @@ where
 }
 
 /// Every primitive asked about the line of every pixel, as about any line.
-pub fn naive<S, T, C, const N: usize>(solid: T, camera: C, size: Size) -> Frame
+pub fn naive<S, T, C, const N: usize>(
+    solid: impl Fn() -> T + 'static,
+    camera: C,
+    size: Size,
+) -> Frame
 where
     S: Scene,
     C: Camera<Rays: Rays<Scalar = S>> + 'static,
-    T: Solid<Scalar = S> + 'static,
+    T: Solid<Scalar = S>,
 {
     Box::new(move |pixels| {
+        let solid = solid();
         let shade = Shade::<S>::new();
         let rays = camera.rays(size);
         let mut list = SpanList::<S, N>::new();

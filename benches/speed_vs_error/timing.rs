@@ -18,12 +18,17 @@ impl Rounds {
         Self((0..rounds).map(|_| turns.iter().map(Turn::nanoseconds).collect()).collect())
     }
 
-    /// What a pass takes for each of its things.
-    pub fn nanoseconds(&self, pass: usize) -> f64 {
-        median(self.0.iter().map(|round| round[pass]))
+    /// What a pass takes for each of its things, round by round.
+    pub fn of_pass(&self, pass: usize) -> impl Iterator<Item = f64> {
+        self.0.iter().map(move |round| round[pass])
     }
 
-    /// The same as a multiple of what another takes.
+    /// The median of that.
+    pub fn nanoseconds(&self, pass: usize) -> f64 {
+        median(self.of_pass(pass))
+    }
+
+    /// What a pass takes as a multiple of what another takes.
     pub fn ratio(&self, pass: usize, to: usize) -> f64 {
         median(self.0.iter().map(|round| round[pass] / round[to]))
     }
