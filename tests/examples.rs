@@ -6,7 +6,9 @@
 #[path = "../examples/scene/mod.rs"]
 mod scene;
 
-use scancsg::render::{Gray8, Lambert, Picture, PixelFormat, Size};
+use scancsg::render::{
+    Gray8, Lambert, Picture, PixelFormat, Size, SmoothColumn, SmoothPicture, Smoothing,
+};
 use scancsg::stream::{
     CONTROL_CAPACITY, Decoder, FrameHeader, Receiver, Sender, encode_ack, packet_capacity,
 };
@@ -76,6 +78,29 @@ fn the_streamed_picture_is_the_rendered_one() {
     assert_eq!((png.width, png.height, png.color), (160, 120, png::ColorType::Grayscale));
     let levels: Vec<u8> = rendered(160, 120).iter().map(|pixel| pixel.0).collect();
     assert_eq!(png.pixels, levels);
+}
+
+/// Rows that are asked for again are the same, though others were rendered in between.
+#[test]
+fn smooth_edges_survive_noise() {
+    let out = scratch("smooth.png");
+    let arguments = ["--smooth", "3", "--size", "80x60", "--noise", "300", "--out"];
+    let output = stream(&[&arguments[..], &[out.to_str().unwrap()]].concat());
+    assert!(output.status.success(), "{output:?}");
+    assert!(String::from_utf8_lossy(&output.stdout).contains("damaged packet"));
+
+    let camera = scene::f32::orthographic().unwrap();
+    let light = Lambert::new(scene::f32::TO_LIGHT, 0.15).unwrap();
+    let mut columns = [SmoothColumn::BLANK; 81];
+    let smoothing = Smoothing::new(Size::new(80, 60).unwrap(), 3, &mut columns).unwrap();
+    let mut picture = SmoothPicture::new(&scene::f32::TEE, &camera, smoothing, light, Gray8(0));
+    let mut levels = Vec::new();
+    for y in (0..60).rev() {
+        let mut row = [Gray8(0); 80];
+        picture.render(y, &mut row).unwrap();
+        levels.splice(0..0, row.map(|pixel| pixel.0));
+    }
+    assert_eq!(read_png(&out).pixels, levels);
 }
 
 #[test]
@@ -160,6 +185,8 @@ fn wrong_arguments_say_what_is_wrong() {
         (vec!["--size", "12"], "160x120"),
         (vec!["--size", "9999x9"], "4096"),
         (vec!["--frames", "0"], "1..=3600"),
+        (vec!["--smooth", "0"], "1..=16"),
+        (vec!["--smooth", "9", "--size", "4096x9"], "samples"),
         (vec!["--format", "cmyk"], "rgb565"),
         (vec!["--baud", "1"], "300"),
         (vec!["--port", "/nonexistent/tty"], "/nonexistent/tty"),
@@ -179,8 +206,8 @@ fn help_names_every_option() {
     let output = stream(&["--help"]);
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     for option in [
-        "--scene", "--out", "--size", "--format", "--shade", "--camera", "--number", "--frames",
-        "--path", "--port", "--baud",
+        "--scene", "--out", "--size", "--format", "--shade", "--camera", "--number", "--smooth",
+        "--frames", "--path", "--port", "--baud",
     ] {
         assert!(text.contains(option), "{option}");
     }

@@ -14,7 +14,10 @@ use scene::pipe::PipeScene;
 use scene::plate::PlateScene;
 
 use scancsg::geom::Rays;
-use scancsg::render::{Camera, Gray8, Lambert, Picture, Pixel, Shader, Size, XRay};
+use scancsg::render::{
+    Camera, Gray8, Lambert, Picture, Pixel, Shader, Size, SmoothColumn, SmoothPicture, Smoothing,
+    XRay,
+};
 use scancsg::scalar::{I16F16, Number, Real, Scalar};
 use scancsg::solid::{Project, Solid};
 use std::fmt::Write as _;
@@ -33,6 +36,21 @@ where
     let mut row = vec![Gray8(0); width.into()];
     let render = |y| {
         picture.scanline(y).unwrap().render(&mut row).unwrap();
+        row.iter().map(|pixel| pixel.0).collect()
+    };
+    (0..height).map(render).collect()
+}
+
+/// `tee` with edges of 4 × 4 samples a pixel.
+fn smooth<S: Scene>(width: u16, height: u16) -> Vec<Vec<u8>> {
+    let mut columns = vec![SmoothColumn::BLANK; usize::from(width) + 1];
+    let smoothing = Smoothing::new(Size::new(width, height).unwrap(), 4, &mut columns).unwrap();
+    let camera = S::orthographic().unwrap();
+    let tee = S::TEE;
+    let mut picture = SmoothPicture::new(&tee, &camera, smoothing, lambert::<S>(), Gray8(0));
+    let mut row = vec![Gray8(0); width.into()];
+    let render = |y| {
+        picture.render(y, &mut row).unwrap();
         row.iter().map(|pixel| pixel.0).collect()
     };
     (0..height).map(render).collect()
@@ -126,6 +144,14 @@ fn xray_orthographic() {
     let camera = f32::orthographic().unwrap();
     let xray = XRay::new(3.0).unwrap();
     golden("tee_xray_orthographic.txt", &art(&rows(&f32::TEE, &camera, xray, 48, 36)));
+}
+
+#[test]
+fn smooth_edges() {
+    golden("tee_smooth_orthographic.txt", &art(&smooth::<f32>(48, 36)));
+    golden("tee_smooth_orthographic.txt", &art(&smooth::<I16F16>(48, 36)));
+    golden("tee_smooth_160x120_orthographic.txt", &hashes(&smooth::<f32>(160, 120)));
+    golden("tee_smooth_160x120_orthographic_i16f16.txt", &hashes(&smooth::<I16F16>(160, 120)));
 }
 
 #[test]

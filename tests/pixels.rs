@@ -1,6 +1,6 @@
 //! Pixel formats: the integer formulas against rounding in `f64`, for every colour and level.
 
-use scancsg::render::{Gray8, Pixel, PixelFormat, Rgb, Rgb565};
+use scancsg::render::{Blend, Gray8, Pixel, PixelFormat, Rgb, Rgb565};
 
 /// `channel · level / 255` on the scale 0..=255: never halfway between two whole numbers,
 /// because 2·channel·level is even and 255 odd.
@@ -43,6 +43,33 @@ fn rgb565_rounds_every_channel_to_nearest() {
         assert_eq!(of(0, channel, 0), narrow(63.0) << 5, "green {channel} lit by {level}");
         assert_eq!(of(0, 0, channel), narrow(31.0), "blue {channel} lit by {level}");
     }
+}
+
+fn mean<P: Blend>(pixels: &[P]) -> P {
+    let mut sum = P::EMPTY;
+    pixels.iter().for_each(|pixel| pixel.add_to(&mut sum));
+    P::mean(sum, pixels.len() as u16)
+}
+
+/// All means of two levels, and those of 256 pixels, which are the most that are added up.
+#[test]
+fn a_mean_rounds_every_channel_to_nearest() {
+    for (a, b) in (0..=255u8).flat_map(|a| (0..=255u8).map(move |b| (a, b))) {
+        let half = |a: u16, b: u16| (f64::from(a + b) / 2.0).round() as u16;
+        assert_eq!(u16::from(mean(&[Gray8(a), Gray8(b)]).0), half(a.into(), b.into()));
+        let [r, g, b, other] = [a >> 3, a >> 2, b >> 3, b >> 2].map(u16::from);
+        let of = |r, g, b| Rgb565((r << 11) | (g << 5) | b);
+        let expected = of(half(r, b), half(g, other), half(b, r));
+        assert_eq!(mean(&[of(r, g, b), of(b, other, r)]), expected);
+    }
+    for lit in 0..=256_usize {
+        let exact = |max: f64| (max * lit as f64 / 256.0).round() as u16;
+        let greys: [_; 256] = std::array::from_fn(|i| Gray8(if i < lit { 255 } else { 0 }));
+        assert_eq!(u16::from(mean(&greys).0), exact(255.0));
+        let colors: [_; 256] = std::array::from_fn(|i| Rgb565(if i < lit { 0xFFFF } else { 0 }));
+        assert_eq!(mean(&colors).0, (exact(31.0) << 11) | (exact(63.0) << 5) | exact(31.0));
+    }
+    assert_eq!(Gray8::mean(Gray8::EMPTY, 0), Gray8(0));
 }
 
 /// The lower byte first: 0x1234 on the wire is 34 12.

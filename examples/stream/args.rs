@@ -40,6 +40,10 @@ pub struct Args {
     #[arg(long, value_enum, default_value_t = Number::F32)]
     pub number: Number,
 
+    /// Smooth edges: the mean of NxN samples in every pixel that is not all of one face
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=16))]
+    pub smooth: Option<u16>,
+
     /// How many frames; all of them together are one turn
     #[arg(long, value_name = "N", default_value_t = 1,
           value_parser = clap::value_parser!(u16).range(1..=3600))]

@@ -4,7 +4,7 @@
 
 use embedded_io::Write;
 use scancsg::geom::Rays;
-use scancsg::render::{Picture, Pixel, RowError, Shader};
+use scancsg::render::{Picture, Pixel, RowError, Shader, Size};
 use scancsg::solid::{Project, Solid};
 use scancsg::stream::{
     CONTROL_CAPACITY, Decoder, FrameHeader, Packet, Part, Request, SendError, Sender,
@@ -14,6 +14,29 @@ use scancsg::stream::{
 pub trait Line: Write {
     /// The next byte from the other end, or `None` if none came within about a second.
     fn listen(&mut self) -> Result<Option<u8>, Self::Error>;
+}
+
+/// A picture that can be rendered row by row, and any row again.
+pub trait Rows<P> {
+    fn size(&self) -> Size;
+
+    fn render(&mut self, y: u16, pixels: &mut [P]) -> Result<(), RowError>;
+}
+
+impl<T, R, H, P> Rows<P> for Picture<'_, T, R, H, P>
+where
+    R: Rays,
+    T: Solid<Scalar = R::Scalar> + Project<R>,
+    H: Shader<R::Scalar>,
+    P: Pixel,
+{
+    fn size(&self) -> Size {
+        self.size()
+    }
+
+    fn render(&mut self, y: u16, pixels: &mut [P]) -> Result<(), RowError> {
+        self.scanline(y)?.render(pixels)
+    }
 }
 
 /// How a frame ended.
@@ -53,16 +76,13 @@ const PATIENCE: u32 = 3;
 
 /// Sends one frame, and then renders again whatever was lost on the way, until the other end has
 /// everything. `pixels` is the memory for one row.
-pub fn send_frame<T, R, H, P, L, const N: usize>(
-    picture: &mut Picture<'_, T, R, H, P>,
+pub fn send_frame<P, L, const N: usize>(
+    picture: &mut impl Rows<P>,
     frame: u16,
     sender: &mut Sender<L, N>,
     pixels: &mut [P],
 ) -> Result<Delivery, DeviceError<L::Error>>
 where
-    R: Rays,
-    T: Solid<Scalar = R::Scalar> + Project<R>,
-    H: Shader<R::Scalar>,
     P: Pixel,
     L: Line,
 {
@@ -74,7 +94,7 @@ where
         format: P::FORMAT,
     })?;
     for y in 0..size.height() {
-        picture.scanline(y)?.render(pixels)?;
+        picture.render(y, pixels)?;
         sender.row(y, pixels)?;
     }
     sender.end()?;
@@ -100,7 +120,7 @@ where
                     Part::Header => sender.header_again()?,
                     Part::End => sender.end_again()?,
                     Part::Row(y) if y < size.height() => {
-                        picture.scanline(y)?.render(pixels)?;
+                        picture.render(y, pixels)?;
                         sender.resend_row(y, pixels)?;
                     }
                     _ => {}

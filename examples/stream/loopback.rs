@@ -1,7 +1,7 @@
 //! The host: chooses what is rendered, gives it a line, and looks at what comes out.
 
 use crate::args::{self, Args, Camera, Format, Number, Path, Shade};
-use crate::device::{self, Delivery, DeviceError, Line};
+use crate::device::{self, Delivery, DeviceError, Line, Rows};
 use crate::host::image::write_png;
 use crate::host::port::{self, Faults, Port, Wire};
 use crate::host::receive::{CAPACITY, Ending, Frame, Session};
@@ -10,7 +10,10 @@ use crate::scene::LAP;
 use crate::scene::pipe::PipeScene;
 use clap::Parser;
 use scancsg::geom::{Parallel, Pencil, Pose, Rays};
-use scancsg::render::{Depth, Gray8, Lambert, Picture, Pixel, Rgb565, Shader, Size, XRay};
+use scancsg::render::{
+    Blend, Depth, Gray8, Lambert, Picture, Rgb565, RowError, Shader, Size, SmoothColumn,
+    SmoothPicture, Smoothing, XRay,
+};
 use scancsg::scalar::I16F16;
 use scancsg::solid::{Placed, Project, Solid};
 use scancsg::stream::{SendError, Sender};
@@ -266,7 +269,7 @@ fn send_shaded<S, T, P>(
 where
     S: Choice,
     T: Part<S>,
-    P: Pixel,
+    P: Blend,
 {
     let n = S::hundredths;
     let text = |error: scancsg::render::ShadeError| error.to_string();
@@ -299,7 +302,7 @@ where
     S: Choice,
     T: Part<S>,
     H: Shader<S> + Copy,
-    P: Pixel,
+    P: Blend,
 {
     // Where the camera is in a frame, unless it stays where it is.
     let eye = |frame: u16| match args.path {
@@ -339,11 +342,12 @@ where
     C: scancsg::render::Camera<Rays: Rays<Scalar = S>>,
     T: Solid<Scalar = S> + Project<C::Rays>,
     H: Shader<S> + Copy,
-    P: Pixel,
+    P: Blend,
 {
     let size: Size = args.size;
     let mut sender = Box::new(Sender::<_, CAPACITY>::new(line));
     let mut pixels = vec![background; usize::from(size.width())];
+    let mut columns = vec![SmoothColumn::BLANK; usize::from(size.width()) + 1];
     let mut unheard = 0;
     for frame in 0..args.frames {
         let turns = match args.path {
@@ -351,13 +355,41 @@ where
             Path::Orbit => 0.0,
         };
         let turned = Placed::new(part, Pose::rotation_y(S::nearest(TAU * turns)));
-        let mut picture = Picture::new(&turned, &camera(frame)?, size, shader, background);
-        let delivery = device::send_frame(&mut picture, frame, &mut sender, &mut pixels)
-            .map_err(|error| describe_error(&error))?;
+        let camera = camera(frame)?;
+        let delivery = match args.smooth {
+            None => {
+                let mut picture = Picture::new(&turned, &camera, size, shader, background);
+                device::send_frame(&mut picture, frame, &mut sender, &mut pixels)
+            }
+            Some(samples) => {
+                let smoothing = Smoothing::new(size, samples, &mut columns)
+                    .map_err(|error| error.to_string())?;
+                let mut picture =
+                    SmoothPicture::new(&turned, &camera, smoothing, shader, background);
+                device::send_frame(&mut picture, frame, &mut sender, &mut pixels)
+            }
+        };
+        let delivery = delivery.map_err(|error| describe_error(&error))?;
         unheard += u32::from(delivery == Delivery::Unheard);
         sent(frame);
     }
     Ok(Sent { bytes: sender.bytes_sent(), unheard })
+}
+
+impl<T, R, H, P> Rows<P> for SmoothPicture<'_, '_, T, R, H, P>
+where
+    R: Rays,
+    T: Solid<Scalar = R::Scalar> + Project<R>,
+    H: Shader<R::Scalar>,
+    P: Blend,
+{
+    fn size(&self) -> Size {
+        self.size()
+    }
+
+    fn render(&mut self, y: u16, pixels: &mut [P]) -> Result<(), RowError> {
+        self.render(y, pixels)
+    }
 }
 
 fn describe_error(error: &DeviceError<io::Error>) -> String {

@@ -84,7 +84,12 @@ where
         shader: H,
         background: P,
     ) -> Self {
-        let rays = camera.rays(size);
+        Self::along(solid, camera.rays(size), size, shader, background)
+    }
+
+    /// The same with rays that are as many as `size` says, but not made for it.
+    #[inline(always)]
+    pub(super) fn along(solid: &'a T, rays: R, size: Size, shader: H, background: P) -> Self {
         Self {
             solid,
             view: T::View::BLANK,
@@ -228,7 +233,7 @@ where
     }
 
     /// The centre of a column, in half pixels from the middle of the picture.
-    fn x(&self, column: u32) -> i32 {
+    pub(super) fn x(&self, column: u32) -> i32 {
         2 * column as i32 + 1 - i32::from(self.picture.size.width())
     }
 
@@ -261,8 +266,13 @@ where
         self.seen_at(self.x(column))
     }
 
+    /// Prepares for the columns from this one on, as [`Project::enter`] does.
+    pub(super) fn enter(&mut self, column: u32) -> Outlook {
+        T::enter(&mut self.picture.row, column)
+    }
+
     #[inline]
-    fn seen_at(&mut self, x: i32) -> Option<Seen<R::Scalar>> {
+    pub(super) fn seen_at(&mut self, x: i32) -> Option<Seen<R::Scalar>> {
         let Picture { solid, view, row, before, .. } = &mut *self.picture;
         let Look { inside, next: Crossing { t, face } } =
             solid.look(view, row, x, *before, Face(0));
@@ -271,7 +281,14 @@ where
 
     #[inline]
     fn pixel(&mut self, x: i32) -> P {
-        let Some(seen) = self.seen_at(x) else { return self.picture.background };
+        let seen = self.seen_at(x);
+        self.shaded(x, seen)
+    }
+
+    /// What a pixel that sees this shows.
+    #[inline]
+    pub(super) fn shaded(&mut self, x: i32, seen: Option<Seen<R::Scalar>>) -> P {
+        let Some(seen) = seen else { return self.picture.background };
         let Picture { solid, view, row, rays: camera, shader, .. } = &mut *self.picture;
         let color = solid.color(seen.face).unwrap_or(Rgb::WHITE);
         let sample = Sample { solid: *solid, view, row, camera, rays: &self.rays, x, seen };

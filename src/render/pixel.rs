@@ -58,6 +58,21 @@ pub trait Pixel: Copy + Eq {
     fn to_le_bytes(self) -> Self::Bytes;
 }
 
+/// A pixel that can be the mean of others.
+pub trait Blend: Pixel {
+    /// Up to 256 pixels, added up.
+    type Sum: Copy;
+    /// No pixels.
+    const EMPTY: Self::Sum;
+
+    /// One pixel more.
+    fn add_to(self, sum: &mut Self::Sum);
+
+    /// The mean of `count` pixels, of each channel for itself: rounded to the nearest level, and
+    /// upwards half-way between two.
+    fn mean(sum: Self::Sum, count: u16) -> Self;
+}
+
 /// A grey pixel: [`PixelFormat::Gray8`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -73,6 +88,19 @@ impl Pixel for Gray8 {
 
     fn to_le_bytes(self) -> [u8; 1] {
         [self.0]
+    }
+}
+
+impl Blend for Gray8 {
+    type Sum = u16;
+    const EMPTY: u16 = 0;
+
+    fn add_to(self, sum: &mut u16) {
+        *sum = sum.saturating_add(self.0.into());
+    }
+
+    fn mean(sum: u16, count: u16) -> Self {
+        Self(mean(sum, count) as u8)
     }
 }
 
@@ -94,6 +122,32 @@ impl Pixel for Rgb565 {
 
     fn to_le_bytes(self) -> [u8; 2] {
         self.0.to_le_bytes()
+    }
+}
+
+impl Blend for Rgb565 {
+    type Sum = [u16; 3];
+    const EMPTY: [u16; 3] = [0; 3];
+
+    fn add_to(self, sum: &mut [u16; 3]) {
+        let channels = [self.0 >> 11, (self.0 >> 5) & 63, self.0 & 31];
+        for (sum, channel) in sum.iter_mut().zip(channels) {
+            *sum = sum.saturating_add(channel);
+        }
+    }
+
+    fn mean(sum: [u16; 3], count: u16) -> Self {
+        let [r, g, b] = sum.map(|sum| mean(sum, count));
+        Self((r << 11) | (g << 5) | b)
+    }
+}
+
+/// `sum / count`, rounded to nearest; 256 eight-bit channels fit.
+const fn mean(sum: u16, count: u16) -> u16 {
+    let (sum, count) = (sum as u32, count as u32);
+    match (sum + count / 2).checked_div(count) {
+        Some(mean) => mean as u16,
+        None => 0,
     }
 }
 

@@ -18,4 +18,5 @@ mod laws;
 mod links;
 mod pictures;
 mod rows;
+mod smooth;
 mod spans;
