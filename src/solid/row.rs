@@ -45,7 +45,7 @@ impl Outlook {
     pub(super) fn of(extent: Extent, column: u32) -> Self {
         let Extent { start, end } = extent;
         match () {
-            () if column >= end || start >= end => Self::EMPTY,
+            () if column >= end => Self::EMPTY,
             () if column < start => Self { is_there: false, until: start },
             () => Self { is_there: true, until: end },
         }
@@ -151,7 +151,13 @@ pub trait Leaf<R>: Shape {
     /// What the camera decides.
     fn seen_along(&self, rays: &R) -> Self::View;
 
-    /// What the row decides, and the columns in which the primitive can be seen.
+    /// Whether the primitive can be seen in a row, as far as little work tells.
+    #[inline]
+    fn is_in_row(&self, _: &Self::View, _y: i32) -> bool {
+        true
+    }
+
+    /// What such a row decides, and the columns in which the primitive can be seen.
     fn in_row(&self, view: &Self::View, y: i32, columns: u32) -> (Self::Row, Extent);
 
     /// The span of the ray `x` half pixels to the right of the middle, if there is one.
@@ -189,6 +195,12 @@ impl<S: Scalar, D: Blank> Blank for LeafRow<S, D> {
 const NO_RAY: i32 = i32::MIN;
 
 impl<S: Scalar, D> LeafRow<S, D> {
+    /// A row in which nothing can be seen.
+    #[inline]
+    pub(super) fn skip(&mut self) {
+        self.extent = [0; 2];
+    }
+
     /// Another row.
     #[inline]
     pub(super) fn set(&mut self, (row, extent): (D, Extent)) {
@@ -278,7 +290,11 @@ macro_rules! leaf {
             }
 
             fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) {
-                row.set($crate::solid::row::Leaf::in_row(self, view, y, columns));
+                if $crate::solid::row::Leaf::is_in_row(self, view, y) {
+                    row.set($crate::solid::row::Leaf::in_row(self, view, y, columns));
+                } else {
+                    row.skip();
+                }
             }
 
             #[inline]

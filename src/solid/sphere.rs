@@ -160,10 +160,13 @@ impl<S: Scalar> Leaf<Pencil<S>> for Sphere<S> {
         Some(PencilBall::new(self.center.fine(), self.radius.fine(), rays))
     }
 
+    #[inline]
+    fn is_in_row(&self, view: &Self::View, y: i32) -> bool {
+        view.as_ref().is_some_and(|view| view.is_in_row(y))
+    }
+
     fn in_row(&self, view: &Self::View, y: i32, columns: u32) -> (Self::Row, Extent) {
-        let Some(view) = view.as_ref().filter(|view| view.is_in_row(y)) else {
-            return (None, Extent::EMPTY);
-        };
+        let Some(view) = view else { return (None, Extent::EMPTY) };
         let row = PencilRow {
             moment: view.moment(y),
             from_center: view.position(y),

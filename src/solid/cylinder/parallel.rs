@@ -54,10 +54,13 @@ impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
         }
     }
 
+    #[inline]
+    fn is_in_row(&self, view: &ParallelView<S>, y: i32) -> bool {
+        view.rows.contains(y)
+    }
+
+    #[inline(never)]
     fn in_row(&self, view: &ParallelView<S>, y: i32, columns: u32) -> (ParallelRow<S>, Extent) {
-        if !view.rows.contains(y) {
-            return (ParallelRow::BLANK, Extent::EMPTY);
-        }
         let [first, second] = [view.first, view.second].map(|of| Affine::row(of, y));
         let beside = |length| columns_within::<S>(length, self.tube.radius.fine(), columns);
         let (kind, extent) = match (view.is_along, self.caps.parallel_row(&view.caps, y, columns)) {

@@ -44,10 +44,14 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
         })
     }
 
+    #[inline]
+    fn is_in_row(&self, view: &Self::View, y: i32) -> bool {
+        view.as_ref().is_some_and(|view| view.ball.is_in_row(y))
+    }
+
+    #[inline(never)]
     fn in_row(&self, view: &Self::View, y: i32, columns: u32) -> (Self::Row, Extent) {
-        let Some(view) = view.as_ref().filter(|view| view.ball.is_in_row(y)) else {
-            return (None, Extent::EMPTY);
-        };
+        let Some(view) = view else { return (None, Extent::EMPTY) };
         let [[q0, q1], [right0, right1], [down0, down1]] = view.moment;
         let [m0, m1] = view.turn;
         let axis = |q, m, right, down| {
