@@ -63,6 +63,10 @@ impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
     fn in_row(&self, view: &ParallelView<S>, y: i32, columns: u32) -> (ParallelRow<S>, Extent) {
         let [first, second] = [view.first, view.second].map(|of| Affine::row(of, y));
         let beside = |length| columns_within::<S>(length, self.tube.radius.fine(), columns);
+        let within_wall = beside(first);
+        if within_wall.is_empty() {
+            return (ParallelRow::BLANK, Extent::EMPTY);
+        }
         let (kind, extent) = match (view.is_along, self.caps.parallel_row(&view.caps, y, columns)) {
             (false, slab::ParallelRow::Across(caps)) => {
                 let extent = caps.columns(&view.caps, second, view.reach, columns);
@@ -77,7 +81,7 @@ impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
             _ => (Kind::Nowhere, Extent::EMPTY),
         };
         let row = ParallelRow { first: first.middle, second: second.middle, kind };
-        (row, extent.overlap(beside(first)))
+        (row, extent.overlap(within_wall))
     }
 
     fn span(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32) -> Option<Span<S>> {
