@@ -327,12 +327,11 @@ where
     }
 
     /// The scalar product of the normal on the side that is seen and another vector: of length 1,
-    /// the cosine of the angle between them.
+    /// the cosine of the angle between them. As [`Solid::cosine`].
     #[must_use]
     #[inline]
     pub fn cosine(&self, to: Vec3<R::Scalar>) -> R::Scalar {
-        let outward = self.solid.normal(self.seen.face, self.line().at(self.seen.t)).dot(to);
-        // One number to negate instead of three; rounding is the same on either side of zero.
+        let outward = self.solid.cosine(self.seen.face, self.line().at(self.seen.t), to);
         if self.seen.inside { outward.negated() } else { outward }
     }
 

@@ -152,7 +152,12 @@ const fn mean(sum: u16, count: u16) -> u16 {
 }
 
 /// `channel · level / 255`, rounded to nearest.
+#[inline]
 const fn scale(channel: u8, level: u8) -> u8 {
+    // Of white, which is what isn't painted: known while compiling.
+    if channel == u8::MAX {
+        return level;
+    }
     // Exact division by 255 for every 16-bit product: (p + 128 + ((p + 128) >> 8)) >> 8.
     let p = channel as u32 * level as u32 + 128;
     ((p + (p >> 8)) >> 8) as u8

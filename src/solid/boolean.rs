@@ -3,7 +3,7 @@
 use super::row::{Blank, Look, Outlook, Project};
 use super::{Cylinder, Painted, Placed, Rgb, Shape, Slab, Solid, Sphere};
 use crate::geom::{Column, Line, Vec3};
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::span::{Crossing, Face, Operation, SpanStack};
 use core::marker::PhantomData;
 use core::ops::{BitAnd, BitOr, Sub};
@@ -145,6 +145,15 @@ impl<O: Rule, L: Solid, R: Solid<Scalar = L::Scalar>> Solid for Boolean<O, L, R>
             Ok(face) => self.left.normal(face, at),
             Err(face) if O::CUTS => -self.right.normal(face, at),
             Err(face) => self.right.normal(face, at),
+        }
+    }
+
+    #[inline]
+    fn cosine(&self, face: Face, at: Vec3<Self::Scalar>, to: Vec3<Self::Scalar>) -> Self::Scalar {
+        match operand::<L>(face) {
+            Ok(face) => self.left.cosine(face, at, to),
+            Err(face) if O::CUTS => self.right.cosine(face, at, to).negated(),
+            Err(face) => self.right.cosine(face, at, to),
         }
     }
 

@@ -83,6 +83,11 @@ impl<T: Solid> Solid for Painted<T> {
         self.solid.normal(face, at)
     }
 
+    #[inline]
+    fn cosine(&self, face: Face, at: Vec3<Self::Scalar>, to: Vec3<Self::Scalar>) -> Self::Scalar {
+        self.solid.cosine(face, at, to)
+    }
+
     fn color(&self, face: Face) -> Option<Rgb> {
         self.solid.color(face).or(Some(self.color))
     }

@@ -6,7 +6,7 @@ pub(super) use row::{GroupRow, Member, view_each};
 
 use super::{Rgb, Shape, Solid};
 use crate::geom::{Line, Vec3};
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::span::{Face, Operation, SpanStack};
 
 pub(super) const fn faces_of_group(count: usize, faces: u16) -> u16 {
@@ -77,6 +77,11 @@ impl<T: Solid, const N: usize> Solid for [T; N] {
 
     fn normal(&self, face: Face, at: Vec3<Self::Scalar>) -> Vec3<Self::Scalar> {
         element(self, face).map_or(Vec3::ZERO, |(solid, face)| solid.normal(face, at))
+    }
+
+    #[inline]
+    fn cosine(&self, face: Face, at: Vec3<Self::Scalar>, to: Vec3<Self::Scalar>) -> Self::Scalar {
+        element(self, face).map_or(T::Scalar::ZERO, |(solid, face)| solid.cosine(face, at, to))
     }
 
     fn color(&self, face: Face) -> Option<Rgb> {

@@ -1,6 +1,7 @@
 //! Up to so many solids of one kind: their union, as that of an array.
 
 use crate::geom::{Line, Vec3};
+use crate::scalar::Number;
 use crate::solid::group::{faces_of_group, project_as_group, stack_of_group, unite};
 use crate::solid::{Rgb, Shape, Solid};
 use crate::span::{Face, SpanStack};
@@ -83,6 +84,11 @@ impl<T: Solid, const N: usize> Solid for Several<T, N> {
 
     fn normal(&self, face: Face, at: Vec3<Self::Scalar>) -> Vec3<Self::Scalar> {
         self.owner(face).map_or(Vec3::ZERO, |(solid, face)| solid.normal(face, at))
+    }
+
+    #[inline]
+    fn cosine(&self, face: Face, at: Vec3<Self::Scalar>, to: Vec3<Self::Scalar>) -> Self::Scalar {
+        self.owner(face).map_or(T::Scalar::ZERO, |(solid, face)| solid.cosine(face, at, to))
     }
 
     fn color(&self, face: Face) -> Option<Rgb> {
