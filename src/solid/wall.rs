@@ -53,7 +53,7 @@ impl<S: Intersect> CylinderWall<S> {
             .find(|&(t, _)| t >= ray.start())
             .map(|(t, inner)| {
                 let point = tube.onto(&caps.normal, line.at(t));
-                let outward = tube.normal(&caps.normal, point);
+                let outward = tube.normal(&caps.normal, point, |normal| normal);
                 let normal = if inner { -outward } else { outward };
                 WallHit { t: ray.parameter(t), point, normal, inner }
             })

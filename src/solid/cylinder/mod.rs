@@ -190,9 +190,17 @@ impl<S: Intersect> Solid for Cylinder<S> {
 
     fn normal(&self, face: Face, at: Vec3<S>) -> Vec3<S> {
         if face == WALL {
-            self.tube.normal(&self.caps.normal, at)
+            self.tube.normal(&self.caps.normal, at, |normal| normal)
         } else {
             self.caps.face_normal(face)
+        }
+    }
+
+    fn cosine(&self, face: Face, at: Vec3<S>, to: Vec3<S>) -> S {
+        if face == WALL {
+            self.tube.normal(&self.caps.normal, at, |normal| normal.dot(to))
+        } else {
+            self.caps.face_cosine(face, to)
         }
     }
 }

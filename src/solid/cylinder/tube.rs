@@ -23,18 +23,25 @@ impl<S: Scalar> Tube<S> {
         self.base + (along + Vec3::from(outward))
     }
 
-    /// The outward normal at a point of the wall: (0, y, z)/r in the cylinder's own frame.
-    pub(in crate::solid) fn normal(&self, axis: &Direction<S>, at: Vec3<S>) -> Vec3<S> {
+    /// The outward normal at a point of the wall: (0, y, z)/r in the cylinder's own frame; and what
+    /// `then` makes of it, in a place for each kind of axis.
+    #[inline(always)]
+    pub(in crate::solid) fn normal<T>(
+        &self,
+        axis: &Direction<S>,
+        at: Vec3<S>,
+        then: impl Fn(Vec3<S>) -> T,
+    ) -> T {
         let u = at - self.base;
         let scaled = |coordinate: S| coordinate.scaled(self.curvature);
         let Some(along) = axis.along() else {
-            return (u - axis.times(axis.dot(u))).map(scaled);
+            return then((u - axis.times(axis.dot(u))).map(scaled));
         };
         let [first, second] = along.across(u).map(scaled);
         match along {
-            Axis::X => Vec3::new(S::ZERO, first, second),
-            Axis::Y => Vec3::new(second, S::ZERO, first),
-            Axis::Z => Vec3::new(first, second, S::ZERO),
+            Axis::X => then(Vec3::new(S::ZERO, first, second)),
+            Axis::Y => then(Vec3::new(second, S::ZERO, first)),
+            Axis::Z => then(Vec3::new(first, second, S::ZERO)),
         }
     }
 }

@@ -159,6 +159,12 @@ impl<S: Scalar> Slab<S> {
         near + self.normal.times(offset.minus(self.normal.dot(near)))
     }
 
+    #[inline]
+    pub(super) fn face_cosine(&self, face: Face, to: Vec3<S>) -> S {
+        let cosine = self.normal.times(S::ONE).dot(to);
+        if face.0 == 0 { cosine.negated() } else { cosine }
+    }
+
     pub(super) fn face_normal(&self, face: Face) -> Vec3<S> {
         let normal = self.normal.times(S::ONE);
         if face.0 == 0 { -normal } else { normal }
@@ -207,6 +213,10 @@ impl<S: Intersect> Solid for Slab<S> {
 
     fn normal(&self, face: Face, _: Vec3<S>) -> Vec3<S> {
         self.face_normal(face)
+    }
+
+    fn cosine(&self, face: Face, _: Vec3<S>, to: Vec3<S>) -> S {
+        self.face_cosine(face, to)
     }
 }
 
