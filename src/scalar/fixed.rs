@@ -63,7 +63,7 @@ impl<F: Fraction> Number for FixedI32<F> {
         true
     }
 
-    #[inline]
+    #[inline(never)] // for each kind of axis, and long on small cores
     fn dot(x: [Self; 3], y: [Self; 3]) -> Self {
         rounded(sum_of_products(x.map(Self::to_bits), y.map(Self::to_bits)), F::BITS)
     }
