@@ -47,7 +47,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Formulas, their sources and the reasons for the structure are in `docs/architecture.md` of the
+//! Formulas, their sources and the reasons for the structure are in `docs/architecture.md`, and what is
+//! known of errors in `docs/numerics.md`, of the
 //! repository.
 
 #![no_std]

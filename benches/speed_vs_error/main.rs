@@ -36,6 +36,10 @@ struct Args {
     #[arg(long)]
     quick: bool,
 
+    /// So many rays a set, instead of 20,000, or of 2,000 if quick
+    #[arg(long, value_name = "N")]
+    rays: Option<usize>,
+
     /// Fail if a shipped method, f32 or I16F16, or a spline misses a target of accuracy; times are never judged
     #[arg(long)]
     check: bool,
@@ -52,6 +56,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
 
     let quick = args.quick || !args.bench;
     let (rays, rounds) = if quick { (2000, 9) } else { (20_000, 51) };
+    let rays = args.rays.unwrap_or(rays);
     let results = Results::measure(methods::methods(), rays, rounds);
     println!("{rays} rays a set; time as a multiple of the textbook f32 formula's.");
     print!("{}", report::table(&results));

@@ -182,7 +182,7 @@ fn draw_legend(area: &Area<'_>, results: &Results) -> Result<(), Box<dyn Error>>
          open: some do",
         "green: the target of f32; at the lower edge: below 0.1 ulp; f64 is done in hardware here, as on \
          few microcontrollers",
-        "triangles: fixed point, right within half a unit of 2⁻¹⁶ everywhere; that is many ulps of an f32 \
+        "triangles: fixed point, right within half a unit of 2⁻¹⁶ (spans of a unit: 1.5); that is many ulps of an f32 \
          near by and few far away,",
         "where it was asked about the rays that it can hold: of those from afar, the ones from 10³ radii",
     ];

@@ -89,6 +89,7 @@ fn powers_of_two_scale_t_exactly<S: Float>() {
     }
 }
 
+/// The squares of such directions overflow, or vanish.
 fn enormous_and_minute_factors<S: Float>() {
     let one = hit::<S>(WAY);
     for factor in [1e-30, 3e-4, 7.0, 1e30] {

@@ -123,7 +123,7 @@ fn a_tangent_has_one_root<S: Tested>() {
 }
 
 /// Along the bore's axis, where bore and shaft share both caps: nothing but the four coincident
-/// planes is met.
+/// planes is met. Who takes the two solids' crossings there one by one sees a skin.
 fn one_can_look_through_a_flush_hole<S: Tested>() {
     let pipe = rod::<S>(2.0, -1.0, 1.0) - rod::<S>(1.0, -1.0, 1.0);
     assert_eq!(spans(&pipe, &ray([-5.0, 0.5, 0.25], [1.0, 0.0, 0.0])), []);

@@ -43,18 +43,20 @@ pub fn draw(
             .margin_right(22)
             .x_label_area_size(44)
             .y_label_area_size(62)
-            .build_cartesian_2d((0.1..2.5 * slowest).log_scale(), ERRORS.log_scale())?;
+            .build_cartesian_2d((0.09..2.5 * slowest).log_scale(), ERRORS.log_scale())?;
         chart
             .configure_mesh()
             .light_line_style(TRANSPARENT)
             .bold_line_style(BLACK.mix(0.12))
             .x_desc("time, multiple of enterpolation's")
             .y_desc("largest error, ulps or LSB")
+            .x_labels(5)
+            .y_labels(5)
             .x_label_formatter(&|ratio| format!("{ratio}"))
             .y_label_formatter(&|error| format!("{error}"))
             .draw()?;
         for target in TARGETS {
-            let target = Rectangle::new([(0.1, ERRORS.start), target], GREEN.mix(0.12).filled());
+            let target = Rectangle::new([(0.09, ERRORS.start), target], GREEN.mix(0.12).filled());
             chart.draw_series([target])?;
         }
         for (i, method) in METHODS.iter().enumerate() {
