@@ -97,7 +97,8 @@ impl<'m, P: Blend> Smoothing<'m, P> {
 ///
 /// What it costs, for a part of ten cylinders at 160×120, with n = 4 and an orthographic camera:
 /// 1,718 pixels (9 %) are edge pixels, and all are found that have different samples. If edge pixels
-/// were those that differ from a neighbour, there would be 2,474. Instructions a pixel:
+/// were those that differ from a neighbour, there would be 2,474. Instructions a pixel, when it was
+/// built:
 ///
 /// | | an ordinary picture | with smooth edges | 640×480, for a mean of all |
 /// |---|---:|---:|---:|

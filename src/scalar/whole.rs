@@ -197,10 +197,33 @@ pub(crate) const fn reciprocal(mantissa: u32) -> u32 {
         u32::MAX
     } else if IS_NARROW {
         reciprocal_by_digits(mantissa)
-    } else {
+    } else if cfg!(target_pointer_width = "64") {
         // 2^63 − 1, so that the reciprocal of 2³¹ fits.
         (((1u64 << 63) - 1) / mantissa as u64) as u32
+    } else {
+        reciprocal_by_halves(mantissa)
     }
+}
+
+/// The same for cores that divide 32 bits in hardware: two digits of 16 bits (Knuth, 4.3.1 D).
+const fn reciprocal_by_halves(mantissa: u32) -> u32 {
+    let (high, low) = (mantissa >> 16, mantissa & 0xffff);
+    let (mut rest, mut quotient, mut digits) = ((1u32 << 31) - 1, 0u32, 0);
+    while digits < 2 {
+        let mut digit = match rest.checked_div(high) {
+            Some(digit) => digit,
+            None => 0, // for no mantissa that there is
+        };
+        let mut left = rest - digit * high;
+        while left < 0x1_0000 && (digit > 0xffff || digit * low > (left << 16 | 0xffff)) {
+            digit -= 1;
+            left += high;
+        }
+        rest = (rest << 16 | 0xffff).wrapping_sub(digit.wrapping_mul(mantissa));
+        quotient = quotient << 16 | digit;
+        digits += 1;
+    }
+    quotient
 }
 
 /// The same for cores that divide in software: less than half of the library's instructions.
@@ -289,6 +312,7 @@ mod tests {
             for mantissa in [mantissa, 1 << 31, (1 << 31) + (mantissa & 15), u32::MAX] {
                 let want = ((1u64 << 63) - 1) / u64::from(mantissa);
                 prop_assert_eq!(u64::from(reciprocal(mantissa)), want);
+                prop_assert_eq!(u64::from(reciprocal_by_halves(mantissa)), want);
                 prop_assert_eq!(u64::from(reciprocal_by_digits(mantissa)), want);
             }
         }

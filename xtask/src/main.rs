@@ -109,6 +109,9 @@ fn main() -> ExitCode {
     }
 }
 
+/// The flash that rendering may take on the smallest board, in fixed point.
+const MOST_FLASH: u64 = 24 * 1024;
+
 /// The repository.
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."))
@@ -138,6 +141,10 @@ fn boards(chosen: &Boards) -> Result<(), String> {
             }
             let least = toolchain.build(board, number, "render_only", &[])?;
             let render_flash = elf::Contents::read(&least)?.flash;
+            if board == Board::Microbit && number == Number::I16f16 && render_flash > MOST_FLASH {
+                let text = format!("rendering takes {render_flash} bytes of flash");
+                problems.push(format!("{board}, {number}: {text}, of {MOST_FLASH} that it may"));
+            }
             let counts = counts::measure(&toolchain, board, number)?;
             let changes = counts.compare(chosen.overwrite)?;
             changes.iter().for_each(|change| eprintln!("  {}", change.text));
