@@ -74,7 +74,9 @@ fn is_allocator(name: &str) -> bool {
 }
 
 fn is_panic(name: &str) -> bool {
-    name.contains("panicking") || name.contains("panic_") || name.ends_with("_failed")
+    ["panicking", "panic_", "rust_begin_unwind"].iter().any(|part| name.contains(part))
+        || name.ends_with("_failed")
+        || name.ends_with("_fail")
 }
 
 fn is_formatting(name: &str) -> bool {
@@ -105,7 +107,8 @@ fn is_gcc_name(name: &str, kind: &str) -> bool {
     name.strip_prefix("__").is_some_and(|rest| {
         let rest = rest.trim_end_matches(|c: char| c.is_ascii_digit());
         rest.chars().all(|c| c.is_ascii_lowercase())
-            && (rest.ends_with(kind) || rest.contains("sidf"))
+            && (rest.ends_with(kind)
+                || ["si", "di"].iter().any(|whole| rest.ends_with(&format!("{kind}{whole}"))))
     })
 }
 
@@ -118,6 +121,8 @@ mod tests {
         assert!(is_panic("core::panicking::panic_fmt"));
         assert!(is_formatting("core::fmt::write"));
         assert!(is_formatting("<u32 as core::fmt::Display>::fmt"));
+        assert!(is_double("__fixdfsi") && is_single("__fixunssfdi") && !is_single("__floatsidf"));
+        assert!(is_panic("core::slice::index::slice_index_fail") && is_panic("rust_begin_unwind"));
         assert!(is_double("__aeabi_dadd") && is_double("__adddf3") && is_double("__floatsidf"));
         assert!(is_single("__aeabi_fmul") && is_single("__mulsf3") && is_single("libm::sqrtf"));
         assert!(!is_double("__aeabi_uldivmod") && !is_single("__aeabi_lmul"));

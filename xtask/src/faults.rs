@@ -142,7 +142,8 @@ fn late(board: Board, elf: &Path) -> Result<(), String> {
 fn never(board: Board, elf: &Path) -> Result<(), String> {
     if board == Board::Lm3s6965 {
         println!(
-            "{board}: its emulated port doesn't hold bytes back, but stops the whole emulator"
+            "{board}: left out, because its emulated port stops the whole emulator instead of holding \
+             bytes back"
         );
         return Ok(());
     }

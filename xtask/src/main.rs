@@ -112,6 +112,9 @@ fn main() -> ExitCode {
 /// The flash that rendering may take on the smallest board, in fixed point.
 const MOST_FLASH: u64 = 24 * 1024;
 
+/// The RAM that rendering and sending may take: variables and stack.
+const MOST_RAM: u64 = 4096;
+
 /// The repository.
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."))
@@ -136,11 +139,24 @@ fn boards(chosen: &Boards) -> Result<(), String> {
             let outcome = boot::stream(board, number, &elf)?;
             problems
                 .extend(outcome.problems.iter().map(|text| format!("{board}, {number}: {text}")));
+            let ram = outcome.stack.map(|stack| contents.ram + u64::from(stack));
+            if ram.is_none_or(|ram| ram > MOST_RAM) {
+                let text = ram.map_or("an unknown number of".to_owned(), |ram| ram.to_string());
+                problems.push(format!(
+                    "{board}, {number}: it takes {text} bytes of RAM, of {MOST_RAM} that it may"
+                ));
+            }
             if let Some(path) = &chosen.png {
                 host::image::write_png(path, std::slice::from_ref(&outcome.frame))?;
             }
             let least = toolchain.build(board, number, "render_only", &[])?;
-            let render_flash = elf::Contents::read(&least)?.flash;
+            let least = elf::Contents::read(&least)?;
+            problems.extend(
+                least
+                    .problems(number)
+                    .map(|text| format!("{board}, {number}, render_only: {text}")),
+            );
+            let render_flash = least.flash;
             if board == Board::Microbit && number == Number::I16f16 && render_flash > MOST_FLASH {
                 let text = format!("rendering takes {render_flash} bytes of flash");
                 problems.push(format!("{board}, {number}: {text}, of {MOST_FLASH} that it may"));
