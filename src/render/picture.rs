@@ -331,7 +331,7 @@ where
     #[must_use]
     #[inline]
     pub fn cosine(&self, to: Vec3<R::Scalar>) -> R::Scalar {
-        let outward = self.solid.cosine(self.seen.face, self.line().at(self.seen.t), to);
+        let outward = self.solid.cosine(self.seen.face, || self.line().at(self.seen.t), to);
         if self.seen.inside { outward.negated() } else { outward }
     }
 

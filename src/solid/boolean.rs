@@ -149,7 +149,12 @@ impl<O: Rule, L: Solid, R: Solid<Scalar = L::Scalar>> Solid for Boolean<O, L, R>
     }
 
     #[inline]
-    fn cosine(&self, face: Face, at: Vec3<Self::Scalar>, to: Vec3<Self::Scalar>) -> Self::Scalar {
+    fn cosine(
+        &self,
+        face: Face,
+        at: impl FnOnce() -> Vec3<Self::Scalar>,
+        to: Vec3<Self::Scalar>,
+    ) -> Self::Scalar {
         match operand::<L>(face) {
             Ok(face) => self.left.cosine(face, at, to),
             Err(face) if O::CUTS => self.right.cosine(face, at, to).negated(),

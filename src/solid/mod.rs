@@ -97,14 +97,19 @@ pub trait Solid: Shape {
     fn normal(&self, face: Face, at: Vec3<Self::Scalar>) -> Vec3<Self::Scalar>;
 
     /// The scalar product of that normal and another vector: of length 1, the cosine of the angle
-    /// between them.
+    /// between them. The point on the face is asked for only where the normal depends on it.
     ///
     /// One number, where the normal is three that may go through memory. In fixed point it may be off
     /// by a unit from the product of a normal that was turned round, where that lies half-way
     /// between two numbers.
     #[inline]
-    fn cosine(&self, face: Face, at: Vec3<Self::Scalar>, to: Vec3<Self::Scalar>) -> Self::Scalar {
-        self.normal(face, at).dot(to)
+    fn cosine(
+        &self,
+        face: Face,
+        at: impl FnOnce() -> Vec3<Self::Scalar>,
+        to: Vec3<Self::Scalar>,
+    ) -> Self::Scalar {
+        self.normal(face, at()).dot(to)
     }
 
     /// The colour of a face, or `None` where nothing painted it.

@@ -84,7 +84,12 @@ impl<T: Solid> Solid for Painted<T> {
     }
 
     #[inline]
-    fn cosine(&self, face: Face, at: Vec3<Self::Scalar>, to: Vec3<Self::Scalar>) -> Self::Scalar {
+    fn cosine(
+        &self,
+        face: Face,
+        at: impl FnOnce() -> Vec3<Self::Scalar>,
+        to: Vec3<Self::Scalar>,
+    ) -> Self::Scalar {
         self.solid.cosine(face, at, to)
     }
 

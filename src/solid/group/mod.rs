@@ -80,7 +80,12 @@ impl<T: Solid, const N: usize> Solid for [T; N] {
     }
 
     #[inline]
-    fn cosine(&self, face: Face, at: Vec3<Self::Scalar>, to: Vec3<Self::Scalar>) -> Self::Scalar {
+    fn cosine(
+        &self,
+        face: Face,
+        at: impl FnOnce() -> Vec3<Self::Scalar>,
+        to: Vec3<Self::Scalar>,
+    ) -> Self::Scalar {
         element(self, face).map_or(T::Scalar::ZERO, |(solid, face)| solid.cosine(face, at, to))
     }
 

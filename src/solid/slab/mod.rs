@@ -215,7 +215,7 @@ impl<S: Intersect> Solid for Slab<S> {
         self.face_normal(face)
     }
 
-    fn cosine(&self, face: Face, _: Vec3<S>, to: Vec3<S>) -> S {
+    fn cosine(&self, face: Face, _: impl FnOnce() -> Vec3<S>, to: Vec3<S>) -> S {
         self.face_cosine(face, to)
     }
 }
