@@ -198,6 +198,7 @@ impl<S: Intersect> Solid for Cylinder<S> {
 
     // In its place, the point stays in registers: a tenth of a picture's time. On ARMv6-M,
     // which has few of them, that saves 3 of 100 instructions, and costs 800 bytes.
+    // An attribute can't read `words::IS_NARROW`: this is its condition.
     #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline(always))]
     fn cosine(&self, face: Face, at: impl FnOnce() -> Vec3<S>, to: Vec3<S>) -> S {
         if face == WALL {
