@@ -169,10 +169,10 @@ pub trait Leaf<R>: Shape {
         *span = self.span(view, row, x).unwrap_or(Span::NOWHERE);
     }
 
-    /// Parameters between which the span of that ray lies, if it takes less work than the span.
+    /// Whether the span of that ray may hold `t`, if that takes less work than the span.
     #[inline(always)]
-    fn bounds(&self, _: &Self::View, _: &Self::Row, _x: i32) -> [Self::Scalar; 2] {
-        [Self::Scalar::LOWEST, Self::Scalar::HIGHEST]
+    fn may_hold(&self, _: &Self::View, _: &Self::Row, _x: i32, _t: Self::Scalar) -> bool {
+        true
     }
 }
 
@@ -235,9 +235,33 @@ impl<S: Scalar, D> LeafRow<S, D> {
         T: Leaf<R, Scalar = S, Row = D>,
     {
         if self.x != x {
-            self.x = x;
-            solid.set_span(view, &self.row, x, &mut self.span);
+            self.compute::<R, T>(solid, view, x);
         }
+        self.behind(t, first)
+    }
+
+    /// As [`look`](Self::look), where it is seldom.
+    #[inline]
+    pub(super) fn look_apart<R, T>(
+        &mut self,
+        solid: &T,
+        view: &T::View,
+        x: i32,
+        t: S,
+        first: Face,
+    ) -> Look<S>
+    where
+        T: Leaf<R, Scalar = S, Row = D>,
+    {
+        if self.x != x {
+            self.compute_apart::<R, T>(solid, view, x);
+        }
+        self.behind(t, first)
+    }
+
+    /// What is behind `t` on the ray that was asked for last.
+    #[inline(always)]
+    fn behind(&self, t: S, first: Face) -> Look<S> {
         let Span { enter, exit } = self.span;
         let (inside, next) = match () {
             () if t < enter.t => (false, enter),
@@ -254,8 +278,7 @@ impl<S: Scalar, D> LeafRow<S, D> {
         T: Leaf<R, Scalar = S, Row = D>,
     {
         if self.x != x {
-            let [low, high] = solid.bounds(view, &self.row, x);
-            if t < low || high <= t {
+            if !solid.may_hold(view, &self.row, x, t) {
                 return false;
             }
             self.compute_apart::<R, T>(solid, view, x);
@@ -263,14 +286,23 @@ impl<S: Scalar, D> LeafRow<S, D> {
         self.span.holds(t)
     }
 
-    /// Where it is seldom.
-    #[inline(never)]
-    fn compute_apart<R, T>(&mut self, solid: &T, view: &T::View, x: i32)
+    /// Keeps the span of another ray.
+    #[inline(always)]
+    fn compute<R, T>(&mut self, solid: &T, view: &T::View, x: i32)
     where
         T: Leaf<R, Scalar = S, Row = D>,
     {
         self.x = x;
         solid.set_span(view, &self.row, x, &mut self.span);
+    }
+
+    /// As [`compute`](Self::compute), where it is seldom.
+    #[inline(never)]
+    fn compute_apart<R, T>(&mut self, solid: &T, view: &T::View, x: i32)
+    where
+        T: Leaf<R, Scalar = S, Row = D>,
+    {
+        self.compute::<R, T>(solid, view, x);
     }
 }
 
@@ -343,6 +375,18 @@ macro_rules! leaf {
                 first: $crate::span::Face,
             ) -> $crate::solid::row::Look<Self::Scalar> {
                 row.look::<R, Self>(self, view, x, t, first)
+            }
+
+            #[inline]
+            fn look_apart(
+                &self,
+                view: &Self::View,
+                row: &mut Self::Row,
+                x: i32,
+                t: Self::Scalar,
+                first: $crate::span::Face,
+            ) -> $crate::solid::row::Look<Self::Scalar> {
+                row.look_apart::<R, Self>(self, view, x, t, first)
             }
         }
     };

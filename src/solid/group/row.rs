@@ -11,6 +11,8 @@ use crate::span::{Crossing, Face, SpanStack};
 /// isn't done for every pixel is compiled once for all lengths.
 #[derive(Debug, Clone, Copy)]
 pub struct GroupRow<M: ?Sized> {
+    /// The columns from the one that was entered last to where anything changes.
+    run: [u16; 2],
     /// The first element that the row can meet, and the first that the present run of columns can.
     first_of_row: u16,
     first_of_run: u16,
@@ -33,7 +35,8 @@ impl<R: Blank> Blank for Member<R> {
 }
 
 impl<R: Blank, const N: usize> Blank for GroupRow<[Member<R>; N]> {
-    const BLANK: Self = Self { first_of_row: 0, first_of_run: 0, members: [Member::BLANK; N] };
+    const BLANK: Self =
+        Self { run: [0; 2], first_of_row: 0, first_of_run: 0, members: [Member::BLANK; N] };
 }
 
 impl<R, const N: usize> GroupRow<[Member<R>; N]> {
@@ -67,6 +70,7 @@ impl<R> GroupRow<[Member<R>]> {
     ) {
         let mut last = NONE;
         self.first_of_row = NONE;
+        self.run = [0; 2];
         for (index, (solid, view)) in (0..).zip(solids.iter().zip(views)) {
             let Some(member) = self.members.get_mut(usize::from(index)) else { break };
             solid.row(view, y, columns, &mut member.row);
@@ -96,6 +100,18 @@ impl<R> GroupRow<[Member<R>]> {
 
     #[inline(never)] // once a run
     pub(in crate::solid) fn enter<P, T: Project<P, Row = R>>(&mut self, column: u32) -> Outlook {
+        let [from, until] = self.run.map(u32::from);
+        if from <= column && column < until {
+            let until = if until == u32::from(u16::MAX) { u32::MAX } else { until };
+            return Outlook { is_there: self.first_of_run != NONE, until };
+        }
+        let all = self.find::<P, T>(column);
+        self.run = [column as u16, u16::try_from(all.until).unwrap_or(u16::MAX)];
+        all
+    }
+
+    #[inline(always)]
+    fn find<P, T: Project<P, Row = R>>(&mut self, column: u32) -> Outlook {
         let mut all = Outlook::EMPTY;
         let (mut index, mut last) = (self.first_of_row, NONE);
         self.first_of_run = NONE;
