@@ -1,7 +1,7 @@
 //! The columns in which rays from an eye can meet a solid, from where a quadratic in X is not
 //! negative.
 
-use super::strip::Rows;
+use super::strip::{Rows, Steps};
 use crate::geom::{Affine, Extent, Pencil, Vec3};
 use crate::scalar::{Number, Real, Scalar};
 
@@ -124,7 +124,7 @@ impl<S: Scalar> PencilBall<S> {
         let low = low / if low < S::Fine::ZERO { nearest } else { farthest };
         let high = high / if high < S::Fine::ZERO { farthest } else { nearest };
         let at = Affine { middle: S::Fine::ZERO, step: slope };
-        Rows::between::<S>(at, [low, high], low.abs() + high.abs())
+        Rows::of(Steps::between::<S>(at, low, high, low.abs() + high.abs()))
     }
 
     /// d in a row.

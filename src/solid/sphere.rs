@@ -3,7 +3,7 @@
 use super::intersect::Intersect;
 use super::row::{Leaf, leaf};
 use super::silhouette::PencilBall;
-use super::strip::columns_within;
+use super::strip::Steps;
 use super::{Shape, Solid};
 use crate::geom::{Affine, Extent, Line, Parallel, Pencil, Vec3};
 use crate::scalar::{Check, Chord, FixedI32, Fraction, Real, Scalar};
@@ -122,7 +122,7 @@ impl<S: Scalar> Leaf<Parallel<S>> for Sphere<S> {
         });
         let Some((view, row)) = row else { return (None, Extent::EMPTY) };
         let along = Affine { middle: view.along, step: view.pitch };
-        (Some(row), columns_within::<S>(along, row.radius.fine(), columns))
+        (Some(row), Steps::within::<S>(along, row.radius.fine()).columns(columns))
     }
 
     #[inline]

@@ -8,65 +8,73 @@ use crate::geom::{Affine, Extent};
 use crate::scalar::{Number, Real, Scalar};
 use crate::solid::row::Blank;
 
-/// The columns in which `low ≤ length ≤ high` may hold, where the length of a pixel and both bounds
-/// are known as well as rounding errors of lengths up to `size` allow.
-pub(super) fn columns_between<S: Scalar>(
-    length: Affine<S::Fine>,
-    [low, high]: [S::Fine; 2],
-    size: S::Fine,
-    columns: u32,
-) -> Extent {
-    match steps_between::<S>(length, [low, high], size) {
-        Some([first, last]) => {
-            // The centre of column c is at 2c + 1 − columns.
-            let count = columns as i32;
-            let start = (first.saturating_add(count) >> 1).clamp(0, count);
-            let end = (last.saturating_add(count + 1) >> 1).clamp(0, count);
-            if start < end {
-                Extent { start: start as u32, end: end as u32 }
-            } else {
-                Extent::EMPTY
-            }
+/// Pixels next to each other, by their half pixels from the middle of the picture: none, if the last
+/// one is before the first.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Steps {
+    first: i32,
+    last: i32,
+}
+
+impl Steps {
+    pub(super) const NONE: Self = Self { first: i32::MAX, last: i32::MIN };
+    pub(super) const ALL: Self = Self { first: i32::MIN, last: i32::MAX };
+
+    /// Where `low ≤ length ≤ high` may hold, if the length of a pixel and both bounds are known as
+    /// well as rounding errors of lengths up to `size` allow.
+    #[inline(never)] // once or twice a row is seldom
+    pub(super) fn between<S: Scalar>(
+        length: Affine<S::Fine>,
+        low: S::Fine,
+        high: S::Fine,
+        size: S::Fine,
+    ) -> Self {
+        /// By so much quotients may be off: see [`Real::ratio`].
+        const MARGIN: i32 = 3;
+        let error = S::uncertainty(size);
+        let (low, high) = (low - error - length.middle, high + error - length.middle);
+        if !(low.is_finite() && high.is_finite()) {
+            return Self::ALL;
         }
-        None => Extent::EMPTY,
+        if length.step == S::Fine::ZERO {
+            let is_between = low <= S::Fine::ZERO && S::Fine::ZERO <= high;
+            return if is_between { Self::ALL } else { Self::NONE };
+        }
+        let [mut first, mut last] = [low, high].map(|way| way.ratio(length.step));
+        if length.step < S::Fine::ZERO {
+            (first, last) = (last, first);
+        }
+        Self { first: first.saturating_sub(MARGIN), last: last.saturating_add(MARGIN) }
     }
-}
 
-/// The columns in which `|length| ≤ reach` may hold.
-pub(super) fn columns_within<S: Scalar>(
-    length: Affine<S::Fine>,
-    reach: S::Fine,
-    columns: u32,
-) -> Extent {
-    let size = reach + length.middle.abs();
-    columns_between::<S>(length, [-reach, reach], size, columns)
-}
+    /// Where `|length| ≤ reach` may hold.
+    #[inline]
+    pub(super) fn within<S: Scalar>(length: Affine<S::Fine>, reach: S::Fine) -> Self {
+        Self::between::<S>(length, -reach, reach, reach + length.middle.abs())
+    }
 
-/// The first and the last count of steps with which `low ≤ length ≤ high` may hold, or `None` if
-/// there is none.
-#[inline(never)] // once or twice a row is seldom
-fn steps_between<S: Scalar>(
-    length: Affine<S::Fine>,
-    [low, high]: [S::Fine; 2],
-    size: S::Fine,
-) -> Option<[i32; 2]> {
-    /// By so much quotients may be off: see [`Real::ratio`].
-    const MARGIN: i32 = 3;
-    let error = S::uncertainty(size);
-    let (low, high) = (low - error - length.middle, high + error - length.middle);
-    if !(low.is_finite() && high.is_finite()) {
-        return Some([i32::MIN, i32::MAX]);
+    /// What is in both.
+    #[inline]
+    pub(super) fn overlap(self, other: Self) -> Self {
+        Self { first: self.first.max(other.first), last: self.last.min(other.last) }
     }
-    if length.step == S::Fine::ZERO {
-        let is_between = low <= S::Fine::ZERO && S::Fine::ZERO <= high;
-        return is_between.then_some([i32::MIN, i32::MAX]);
+
+    /// Those of so many columns.
+    #[inline]
+    pub(super) fn columns(self, columns: u32) -> Extent {
+        // The centre of column c is at 2c + 1 − columns.
+        let count = columns as i32;
+        let start = (self.first.clamp(-count, count) + count) >> 1;
+        let end = (self.last.clamp(-count - 1, count - 1) + count + 1) >> 1;
+        if start < end { Extent { start: start as u32, end: end as u32 } } else { Extent::EMPTY }
     }
-    let [mut first, mut last] = [low, high].map(|way| way.ratio(length.step));
-    if length.step < S::Fine::ZERO {
-        (first, last) = (last, first);
+
+    /// Whether none of so many columns is among them.
+    #[inline]
+    pub(super) fn are_beside(self, columns: u32) -> bool {
+        let count = columns as i32;
+        self.first.max(-count) > self.last.min(count)
     }
-    let (first, last) = (first.saturating_sub(MARGIN), last.saturating_add(MARGIN));
-    (first <= last).then_some([first, last])
 }
 
 /// The rows in which a solid can be seen.
@@ -80,23 +88,18 @@ pub struct Rows {
 impl Rows {
     pub(super) const ALL: Self = Self { first: i16::MIN, last: i16::MAX };
 
-    /// The rows in which `low ≤ length ≤ high` may hold, as in [`columns_between`].
-    pub(super) fn between<S: Scalar>(
-        length: Affine<S::Fine>,
-        bounds: [S::Fine; 2],
-        size: S::Fine,
-    ) -> Self {
+    /// The same, counted in half pixels.
+    pub(super) fn of(Steps { first, last }: Steps) -> Self {
         let pixels =
             |half_pixels: i32| (half_pixels >> 1).clamp(i16::MIN.into(), i16::MAX.into()) as i16;
-        match steps_between::<S>(length, bounds, size) {
-            Some([first, last]) => Self { first: pixels(first), last: pixels(last) },
-            None => Self { first: 0, last: -1 },
-        }
+        Self { first: pixels(first), last: pixels(last) }
     }
 
     /// Whether the row `y` half pixels below the middle is among them.
     pub(super) fn contains(self, y: i32) -> bool {
-        (i32::from(self.first)..=i32::from(self.last)).contains(&(y >> 1))
+        let row = y >> 1;
+        // Both together: one branch is predicted more often than two.
+        (i32::from(self.first) <= row) & (row <= i32::from(self.last))
     }
 }
 

@@ -9,7 +9,7 @@ use crate::geom::{Affine, Extent, Parallel};
 use crate::scalar::{Number, Real, Scalar};
 use crate::solid::row::{Blank, Leaf};
 use crate::solid::slab::{self, EdgeOn, Ends};
-use crate::solid::strip::{Rows, columns_within};
+use crate::solid::strip::{Rows, Steps};
 use crate::span::Span;
 
 impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
@@ -62,26 +62,26 @@ impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
     #[inline(never)]
     fn in_row(&self, view: &ParallelView<S>, y: i32, columns: u32) -> (ParallelRow<S>, Extent) {
         let [first, second] = [view.first, view.second].map(|of| Affine::row(of, y));
-        let beside = |length| columns_within::<S>(length, self.tube.radius.fine(), columns);
+        let beside = |length| Steps::within::<S>(length, self.tube.radius.fine());
         let within_wall = beside(first);
-        if within_wall.is_empty() {
+        if within_wall.are_beside(columns) {
             return (ParallelRow::BLANK, Extent::EMPTY);
         }
-        let (kind, extent) = match (view.is_along, self.caps.parallel_row(&view.caps, y, columns)) {
+        let (kind, steps) = match (view.is_along, self.caps.parallel_row(&view.caps, y, columns)) {
             (false, slab::ParallelRow::Across(caps)) => {
-                let extent = caps.columns(&view.caps, second, view.reach, columns);
-                (Kind::Across(caps), extent)
+                let steps = caps.steps(&view.caps, second, view.reach, columns);
+                (Kind::Across(caps), steps)
             }
             (false, slab::ParallelRow::EdgeOn(caps)) => {
-                let extent = self.caps.columns(&caps, columns);
-                (Kind::EdgeOn(caps), extent)
+                let steps = self.caps.edge_on_steps(&caps);
+                (Kind::EdgeOn(caps), steps)
             }
             (true, slab::ParallelRow::Across(caps)) => (Kind::Along(caps), beside(second)),
             // Who looks along the axis doesn't look along the caps.
-            _ => (Kind::Nowhere, Extent::EMPTY),
+            _ => (Kind::Nowhere, Steps::NONE),
         };
         let row = ParallelRow { first: first.middle, second: second.middle, kind };
-        (row, extent.overlap(within_wall))
+        (row, steps.overlap(within_wall).columns(columns))
     }
 
     fn span(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32) -> Option<Span<S>> {
@@ -120,18 +120,19 @@ impl<S: Scalar> Cylinder<S> {
     fn rows(&self, rays: &Parallel<S>) -> Rows {
         let axis = &self.caps.normal;
         let base = self.tube.base.fine();
-        let (low, high) = (self.caps.low.fine(), self.caps.high.fine());
+        let ends = [self.caps.low.fine(), self.caps.high.fine()];
         let along = axis.dot_fine(base);
         let slope = axis.dot_fine(rays.down);
         let from_center = base - rays.center;
         let across = from_center.dot_compensated(rays.down);
-        let [low_end, high_end] = [low, high].map(|offset| across + slope * (offset - along));
+        let [low_end, high_end] = ends.map(|offset| across + slope * (offset - along));
         let radius = self.tube.radius.fine();
-        let bounds = [low_end.min(high_end) - radius, low_end.max(high_end) + radius];
-        let size = from_center.max_abs() + along.abs() + low.abs() + high.abs() + radius;
+        let (low, high) = (low_end.min(high_end) - radius, low_end.max(high_end) + radius);
+        let from_middle = Affine { middle: S::Fine::ZERO, step: rays.pitch };
+        let size = from_center.max_abs() + along.abs() + ends[0].abs() + ends[1].abs() + radius;
         // Three coordinates, each of which is as large as that.
         let size = size + size + size;
-        Rows::between::<S>(Affine { middle: S::Fine::ZERO, step: rays.pitch }, bounds, size)
+        Rows::of(Steps::between::<S>(from_middle, low, high, size))
     }
 
     /// Where rays across the axis meet the wall.

@@ -11,32 +11,33 @@ use crate::span::{Crossing, Face, SpanStack};
 /// isn't done for every pixel is compiled once for all lengths.
 #[derive(Debug, Clone, Copy)]
 pub struct GroupRow<M: ?Sized> {
-    /// The columns from the one that was entered last to where anything changes.
+    /// The columns from the one that was entered to where anything changes.
     run: [u16; 2],
-    /// The first element that the row can meet, and the first that the present run of columns can.
-    first_of_row: u16,
-    first_of_run: u16,
+    /// The first element that can be seen in this run, in the order of their indices.
+    first: u16,
+    /// The first of the others that later columns can, in the order of these columns.
+    coming: u16,
     members: M,
 }
 
-/// The row of an element, and which one of those that matter comes behind it; indices ascend. The
-/// last one is followed by an index that no element has.
+/// The row of an element, the column in which that changes, and the element behind it in its list.
+/// The last one is followed by an index that no element has.
 #[derive(Debug, Clone, Copy)]
 pub struct Member<R> {
     row: R,
-    next_of_row: u16,
-    next_of_run: u16,
+    until: u16,
+    next: u16,
 }
 
+/// No element has this index.
 const NONE: u16 = u16::MAX;
 
 impl<R: Blank> Blank for Member<R> {
-    const BLANK: Self = Self { row: R::BLANK, next_of_row: 0, next_of_run: 0 };
+    const BLANK: Self = Self { row: R::BLANK, until: 0, next: 0 };
 }
 
 impl<R: Blank, const N: usize> Blank for GroupRow<[Member<R>; N]> {
-    const BLANK: Self =
-        Self { run: [0; 2], first_of_row: 0, first_of_run: 0, members: [Member::BLANK; N] };
+    const BLANK: Self = Self { run: [0; 2], first: 0, coming: 0, members: [Member::BLANK; N] };
 }
 
 impl<R, const N: usize> GroupRow<[Member<R>; N]> {
@@ -68,19 +69,13 @@ impl<R> GroupRow<[Member<R>]> {
         y: i32,
         columns: u32,
     ) {
-        let mut last = NONE;
-        self.first_of_row = NONE;
-        self.run = [0; 2];
-        for (index, (solid, view)) in (0..).zip(solids.iter().zip(views)) {
-            let Some(member) = self.members.get_mut(usize::from(index)) else { break };
+        self.clear();
+        for (index, (solid, view)) in solids.iter().zip(views).enumerate().rev() {
+            let Some(member) = self.members.get_mut(index) else { continue };
             solid.row(view, y, columns, &mut member.row);
             if T::outlook(&member.row, 0) != Outlook::EMPTY {
-                member.next_of_row = NONE;
-                match self.members.get_mut(usize::from(last)) {
-                    Some(last) => last.next_of_row = index,
-                    None => self.first_of_row = index,
-                }
-                last = index;
+                (member.until, member.next) = (0, self.coming);
+                self.coming = index as u16;
             }
         }
     }
@@ -88,12 +83,10 @@ impl<R> GroupRow<[Member<R>]> {
     #[inline(never)]
     pub(in crate::solid) fn outlook<P, T: Project<P, Row = R>>(&self, column: u32) -> Outlook {
         let mut all = Outlook::EMPTY;
-        let mut index = self.first_of_row;
-        while let Some(member) = self.members.get(usize::from(index)) {
+        for member in &self.members {
             let one = T::outlook(&member.row, column);
             all.is_there |= one.is_there;
             all.until = all.until.min(one.until);
-            index = member.next_of_row;
         }
         all
     }
@@ -101,36 +94,67 @@ impl<R> GroupRow<[Member<R>]> {
     #[inline(never)] // once a run
     pub(in crate::solid) fn enter<P, T: Project<P, Row = R>>(&mut self, column: u32) -> Outlook {
         let [from, until] = self.run.map(u32::from);
-        if from <= column && column < until {
-            let until = if until == u32::from(u16::MAX) { u32::MAX } else { until };
-            return Outlook { is_there: self.first_of_run != NONE, until };
+        if column < from {
+            self.go_back();
         }
-        let all = self.find::<P, T>(column);
-        self.run = [column as u16, u16::try_from(all.until).unwrap_or(u16::MAX)];
-        all
+        if column < from || until <= column {
+            self.go_on::<P, T>(column);
+        }
+        let [_, until] = self.run;
+        let until = if until == u16::MAX { u32::MAX } else { until.into() };
+        Outlook { is_there: self.first != NONE, until }
     }
 
-    #[inline(always)]
-    fn find<P, T: Project<P, Row = R>>(&mut self, column: u32) -> Outlook {
-        let mut all = Outlook::EMPTY;
-        let (mut index, mut last) = (self.first_of_row, NONE);
-        self.first_of_run = NONE;
-        while let Some(member) = self.members.get_mut(usize::from(index)) {
-            let one = T::enter(&mut member.row, column);
-            let next = member.next_of_row;
-            all.until = all.until.min(one.until);
-            if one.is_there {
-                all.is_there = true;
-                member.next_of_run = NONE;
-                match self.members.get_mut(usize::from(last)) {
-                    Some(last) => last.next_of_run = index,
-                    None => self.first_of_run = index,
-                }
-                last = index;
-            }
-            index = next;
+    /// Before the first column, without elements.
+    fn clear(&mut self) {
+        (self.run, self.first, self.coming) = ([0; 2], NONE, NONE);
+    }
+
+    /// Before the first column.
+    #[cold]
+    fn go_back(&mut self) {
+        self.clear();
+        for (index, member) in self.members.iter_mut().enumerate().rev() {
+            (member.until, member.next) = (0, self.coming);
+            self.coming = index as u16;
         }
-        all
+    }
+
+    /// Enters a run to the right, where only the elements of the last one and the first of those to
+    /// come can be others.
+    #[inline(always)]
+    fn go_on<P, T: Project<P, Row = R>>(&mut self, column: u32) {
+        let mut rest = core::mem::replace(&mut self.first, NONE);
+        let (mut last, mut last_coming, mut run_until) = (NONE, NONE, u16::MAX);
+        loop {
+            let index = if let Some(member) = self.members.get(usize::from(rest)) {
+                core::mem::replace(&mut rest, member.next)
+            } else if let Some(member) = self.members.get(usize::from(self.coming))
+                && u32::from(member.until) <= column
+            {
+                core::mem::replace(&mut self.coming, member.next)
+            } else {
+                break;
+            };
+            let Some(member) = self.members.get_mut(usize::from(index)) else { break };
+            let Outlook { is_there, until } = T::enter(&mut member.row, column);
+            let until = u16::try_from(until).unwrap_or(u16::MAX);
+            member.until = until;
+            if is_there {
+                run_until = run_until.min(until);
+                let is_before = |other, _: &_| other < index;
+                insert(&mut self.members, &mut self.first, last, index, is_before);
+                last = index;
+            } else if until != u16::MAX {
+                let is_before = |_, other: &Member<R>| other.until < until;
+                insert(&mut self.members, &mut self.coming, last_coming, index, is_before);
+                last_coming = index;
+            }
+        }
+        if let Some(member) = self.members.get(usize::from(self.coming)) {
+            run_until = run_until.min(member.until);
+        }
+        self.run = [column as u16, run_until];
     }
 
     pub(in crate::solid) fn spans<P, T: Project<P, Row = R>>(
@@ -159,7 +183,7 @@ impl<R> GroupRow<[Member<R>]> {
         views: &[T::View],
         mut ask: impl FnMut(u16, &T, &T::View, &mut R) -> bool,
     ) -> bool {
-        let mut index = self.first_of_run;
+        let mut index = self.first;
         while let Some(member) = self.members.get_mut(usize::from(index)) {
             let element = usize::from(index);
             if let (Some(solid), Some(view)) = (solids.get(element), views.get(element))
@@ -167,7 +191,7 @@ impl<R> GroupRow<[Member<R>]> {
             {
                 return true;
             }
-            index = member.next_of_run;
+            index = member.next;
         }
         false
     }
@@ -267,6 +291,33 @@ impl<R> GroupRow<[Member<R>]> {
             next = all.next;
         }
         next
+    }
+}
+
+/// Puts an element into a list, behind those that are before it. That may be known of one of them.
+#[inline(always)]
+fn insert<R>(
+    members: &mut [Member<R>],
+    first: &mut u16,
+    known: u16,
+    index: u16,
+    is_before: impl Fn(u16, &Member<R>) -> bool,
+) {
+    let (mut last, mut next) = match members.get(usize::from(known)) {
+        Some(member) if is_before(known, member) => (known, member.next),
+        _ => (NONE, *first),
+    };
+    while let Some(member) = members.get(usize::from(next))
+        && is_before(next, member)
+    {
+        (last, next) = (next, member.next);
+    }
+    if let Some(member) = members.get_mut(usize::from(index)) {
+        member.next = next;
+    }
+    match members.get_mut(usize::from(last)) {
+        Some(last) => last.next = index,
+        None => *first = index,
     }
 }
 

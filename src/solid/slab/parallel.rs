@@ -4,7 +4,7 @@ use super::Slab;
 use crate::geom::{Affine, Extent, Parallel, Vec3};
 use crate::scalar::{Number, Real, Scalar};
 use crate::solid::row::{Blank, Leaf};
-use crate::solid::strip::columns_between;
+use crate::solid::strip::Steps;
 use crate::span::{Crossing, Face, Span};
 
 impl<S: Scalar> Leaf<Parallel<S>> for Slab<S> {
@@ -23,7 +23,7 @@ impl<S: Scalar> Leaf<Parallel<S>> for Slab<S> {
     fn in_row(&self, view: &ParallelView<S>, y: i32, columns: u32) -> (ParallelRow<S>, Extent) {
         let row = self.parallel_row(view, y, columns);
         let extent = match &row {
-            ParallelRow::EdgeOn(row) => self.columns(row, columns),
+            ParallelRow::EdgeOn(row) => self.edge_on_steps(row).columns(columns),
             _ => Extent::all(columns),
         };
         (row, extent)
@@ -65,15 +65,15 @@ impl<S: Scalar> Slab<S> {
         self.passage(row.height.after_steps(row.step, x), row.speed).span()
     }
 
-    /// The columns in which rays along the planes, or almost, can be between them.
-    pub(in crate::solid) fn columns(&self, row: &EdgeOn<S>, columns: u32) -> Extent {
+    /// Where rays along the planes, or almost, can be between them.
+    pub(in crate::solid) fn edge_on_steps(&self, row: &EdgeOn<S>) -> Steps {
         if row.speed != S::Fine::ZERO {
-            return Extent::all(columns);
+            return Steps::ALL;
         }
         let (low, high) = (self.low.fine(), self.high.fine());
         let height = Affine { middle: row.height, step: row.step };
         let size = low.abs() + high.abs() + row.height.abs();
-        columns_between::<S>(height, [low, high], size, columns)
+        Steps::between::<S>(height, low, high, size)
     }
 }
 
@@ -91,20 +91,20 @@ impl<S: Scalar> Ends<S> {
         Span::new(Crossing { t: enter, face: near }, Crossing { t: exit, face: far })
     }
 
-    /// The columns in which rays can be between the planes no farther than `reach` from `middle`.
-    pub(in crate::solid) fn columns(
+    /// Where rays of so many columns can be between the planes no farther than `reach` from `middle`.
+    pub(in crate::solid) fn steps(
         &self,
         view: &ParallelView<S>,
         middle: Affine<S::Fine>,
         reach: S::Fine,
         columns: u32,
-    ) -> Extent {
+    ) -> Steps {
         let (near, far) = (self.near - reach, self.far + reach);
         // The ends move as well: what counts is how the middle moves along them.
         let along = Affine { step: middle.step - view.step, ..middle };
         let way = S::Fine::ZERO.after_steps(middle.step, columns as i32);
         let size = near.abs().max(far.abs()) + middle.middle.abs() + way.abs() + reach;
-        columns_between::<S>(along, [near, far], size, columns)
+        Steps::between::<S>(along, near, far, size)
     }
 }
 
