@@ -20,3 +20,4 @@ mod pictures;
 mod rows;
 mod smooth;
 mod spans;
+mod walks;

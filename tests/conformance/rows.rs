@@ -4,9 +4,8 @@ use crate::number::{Tested, ball, between, rod, vector};
 use proptest::prelude::*;
 use scancsg::geom::{Column, Rays, Vec3};
 use scancsg::render::{Camera, Gray8, Orthographic, Perspective, Picture, Size, XRay};
-use scancsg::solid::{Blank, Cylinder, Difference, Project, Slab, Solid, Sphere};
+use scancsg::solid::{Blank, Project, Solid};
 use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
-use std::cell::Cell;
 
 for_every_number!(
     an_eye_on_the_axis,
@@ -16,10 +15,9 @@ for_every_number!(
     a_merge_ends_whatever_it_is_given,
     extents_cut_nothing_off,
     a_row_is_its_runs,
-    a_walk_finds_the_crossings_of_the_list,
 );
 
-fn up<S: Tested>() -> Vec3<S> {
+pub fn up<S: Tested>() -> Vec3<S> {
     vector([0.0, 1.0, 0.0])
 }
 
@@ -138,23 +136,9 @@ fn a_merge_ends_whatever_it_is_given<S: Tested>() {
     assert_eq!(*list, [of(0.0, 1.0), of(0.5, 3.0)]);
 }
 
-/// Checks every column of every row of a picture.
-fn check_columns<T: Project<R>, R: Rays>(
-    solid: &T,
-    rays: &R,
-    height: u16,
-    mut check: impl FnMut(&T::View, &mut T::Row, Column) -> Result<(), TestCaseError>,
-) -> Result<(), TestCaseError> {
-    let (mut view, mut row) = (T::View::BLANK, T::Row::BLANK);
-    solid.view(rays, &mut view);
-    for y in 0..height {
-        solid.row(&view, 2 * i32::from(y) + 1 - i32::from(height), rays.columns(), &mut row);
-        for index in 0..rays.columns() {
-            let x = 2 * index as i32 + 1 - rays.columns() as i32;
-            check(&view, &mut row, Column { index, x })?;
-        }
-    }
-    Ok(())
+/// The centre of a pixel, in half pixels.
+pub fn from_middle(index: u32, count: u32) -> i32 {
+    2 * index as i32 + 1 - count as i32
 }
 
 /// Asks a row in every column, and wants nothing outside of its extent.
@@ -165,16 +149,22 @@ where
     T: Solid<Scalar = S> + Project<R>,
 {
     let mut list = SpanList::<S, 1>::new();
-    check_columns(solid, rays, height, |view, row, column| {
-        if !T::outlook(row, column.index).is_there {
-            solid.spans_at(view, row, column, Face(0), &mut list.stack());
-            prop_assert!(list.is_empty(), "{:?}", column);
+    let (mut view, mut row) = (T::View::BLANK, T::Row::BLANK);
+    solid.view(rays, &mut view);
+    for y in 0..height {
+        solid.row(&view, from_middle(y.into(), height.into()), rays.columns(), &mut row);
+        for index in 0..rays.columns() {
+            if !T::outlook(&row, index).is_there {
+                let column = Column { index, x: from_middle(index, rays.columns()) };
+                solid.spans_at(&view, &row, column, Face(0), &mut list.stack());
+                prop_assert!(list.is_empty(), "{:?}", column);
+            }
         }
-        Ok(())
-    })
+    }
+    Ok(())
 }
 
-fn direction() -> impl Strategy<Value = [f64; 3]> {
+pub fn direction() -> impl Strategy<Value = [f64; 3]> {
     [-1f64..1.0, -1f64..1.0, -1f64..1.0]
         .prop_filter("a direction", |v| v.iter().map(|x| x * x).sum::<f64>() > 0.01)
 }
@@ -236,111 +226,4 @@ fn a_row_is_its_runs<S: Tested>() {
         assert_eq!((whole, next), (pieces, 41));
     }
     assert!(has_background && has_part);
-}
-
-/// Walks along every ray of a picture, and wants the crossings of its list, bit by bit.
-fn check_walks<S, T, R>(
-    solid: &T,
-    rays: &R,
-    height: u16,
-    crossings: &Cell<u32>,
-) -> Result<(), TestCaseError>
-where
-    S: Tested,
-    R: Rays<Scalar = S>,
-    T: Solid<Scalar = S> + Project<R>,
-{
-    let mut list = SpanList::<S, 64>::new();
-    check_columns(solid, rays, height, |view, row, column| {
-        solid.spans_at(view, row, column, Face(0), &mut list.stack());
-        let mut wanted = list.iter().flat_map(|span| [span.enter, span.exit]);
-        let mut inside = list.first().is_some_and(|span| span.enter.t == S::LOWEST);
-        if inside {
-            wanted.next();
-        }
-        if T::outlook(row, column.index).is_there {
-            T::enter(row, column.index);
-            let mut t = S::LOWEST;
-            loop {
-                prop_assert_eq!(solid.holds(view, row, column.x, t), inside);
-                let look = solid.look(view, row, column.x, t, Face(0));
-                prop_assert_eq!(look.inside, inside);
-                if look.next.t == S::HIGHEST {
-                    break;
-                }
-                prop_assert_eq!(Some(look.next), wanted.next());
-                (t, inside) = (look.next.t, !inside);
-                crossings.set(crossings.get() + 1);
-            }
-        }
-        prop_assert!(wanted.all(|crossing| crossing.t == S::HIGHEST));
-        Ok(())
-    })
-}
-
-/// Numbers of a coarse grid, so that faces coincide and touch.
-fn grid(range: i32) -> impl Strategy<Value = f64> {
-    (-range..=range).prop_map(|halves| f64::from(halves) / 2.0)
-}
-
-fn drawn_rod<S: Tested>() -> impl Strategy<Value = Cylinder<S>> {
-    (0..3usize, grid(2), grid(2), 1..4i32, grid(3), 1..5i32).prop_map(
-        |(axis, u, v, r, low, long)| {
-            let (r, high) = (f64::from(r) / 2.0, low + f64::from(long) / 2.0);
-            let [u, v, r, low, high] = [u, v, r, low, high].map(S::near);
-            S::along(axis, [u, v], r, low, high).unwrap()
-        },
-    )
-}
-
-fn drawn_ball<S: Tested>() -> impl Strategy<Value = Sphere<S>> {
-    ([grid(3), grid(3), grid(3)], 1..4i32).prop_map(|(center, r)| ball(center, f64::from(r) / 2.0))
-}
-
-fn drawn_slab<S: Tested>() -> impl Strategy<Value = Slab<S>> {
-    (0..3usize, grid(3), 1..5i32).prop_map(|(axis, low, wide)| {
-        let [low, high] = [low, low + f64::from(wide) / 2.0].map(S::near);
-        S::slab_along(axis, low, high).unwrap()
-    })
-}
-
-/// What a pixel sees is found by a walk that computes no list. It must be what the list says, with
-/// the same faces: for trees of all operations, also where faces coincide or touch.
-fn a_walk_finds_the_crossings_of_the_list<S: Tested>() {
-    let crossings = Cell::new(0);
-    proptest!(ProptestConfig::with_cases(60), |(
-        rods in proptest::array::uniform8(drawn_rod::<S>()),
-        balls in proptest::array::uniform4(drawn_ball::<S>()),
-        slabs in proptest::array::uniform3(drawn_slab::<S>()),
-        along in prop_oneof![direction(), Just([0.0, 0.0, -1.0]), Just([-1.0, 0.0, -1.0])],
-        far in prop_oneof![Just(0.5), Just(6.0)],
-        columns in 1..24u16, height in 1..12u16,
-    )| {
-        let [r0, r1, r2, r3, r4, r5, r6, r7] = rods;
-        let [b0, b1, b2, b3] = balls;
-        let [s0, s1, s2] = slabs;
-        let trees = (
-            Difference::new([r0, r1, r2, r3], [r4, r5, r6, r7]),
-            ((r0 | b0) & s0) - (b1 - (r1 | s1)),
-            (s0 & (b0 | b1 | b2 | b3)) | (r0 - s1) | ((r1 & s2) - r2),
-            (r0 - (r1 - (r2 - (r3 - (b0 & s0))))) | (s1 - s2),
-        );
-        let size = Size::new(columns, height).unwrap();
-        let frame = S::near(5.0);
-        macro_rules! check {
-            ($camera:expr) => {
-                if let Ok(camera) = $camera {
-                    let rays = camera.rays(size);
-                    check_walks(&trees.0, &rays, height, &crossings)?;
-                    check_walks(&trees.1, &rays, height, &crossings)?;
-                    check_walks(&trees.2, &rays, height, &crossings)?;
-                    check_walks(&trees.3, &rays, height, &crossings)?;
-                }
-            };
-        }
-        check!(Orthographic::look_along(vector(along), Vec3::ZERO, up(), frame));
-        let eye = vector(along.map(|way| -way * far));
-        check!(Perspective::look_at(eye, Vec3::ZERO, up(), S::ONE));
-    });
-    assert!(crossings.get() > 10_000, "{crossings:?}");
 }
