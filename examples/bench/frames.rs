@@ -5,7 +5,11 @@ use crate::scene::plate::{Plate, PlateScene};
 use crate::scene::{Scene, Tee};
 use core::hint::black_box;
 use core::ops::Range;
-use scancsg::render::{Gray8, Lambert, Picture, Size};
+use scancsg::geom::{RayRow, Rays};
+use scancsg::render::{Camera, Gray8, Lambert, Picture, Size};
+use scancsg::scalar::{Number as _, Scalar as _};
+use scancsg::solid::{Seen, Shape, Solid, first_seen};
+use scancsg::span::{Face, SpanList};
 
 /// A picture: its view alone, its view and the row that the argument says, and all of it.
 pub struct Frame {
@@ -13,10 +17,18 @@ pub struct Frame {
     pub view: extern "C" fn(u32),
     pub row: extern "C" fn(u32),
     pub frame: extern "C" fn(u32),
+    /// The pixel of the middle row that the argument says, by asking every primitive about its line, as
+    /// about any line; what is done once for a picture is done as well, and alone for a column beyond.
+    pub naive: extern "C" fn(u32),
 }
 
 pub const WIDTH: u16 = 160;
 pub const HEIGHT: u16 = 120;
+
+/// The centre of a pixel, in half pixels from the middle of the picture.
+fn from_middle(index: u16, count: u16) -> i32 {
+    2 * i32::from(index) + 1 - i32::from(count)
+}
 
 fn light() -> Option<Lambert<Number>> {
     Lambert::new(Number::TO_LIGHT, Number::hundredths(15)).ok()
@@ -27,10 +39,12 @@ macro_rules! frames {
     ($(
         $(#[$condition:meta])?
         $name:literal: $Part:ty = $part:expr, $camera:ident,
-        $rows:ident, $view:ident, $row:ident, $frame:ident;
+        $rows:ident, $view:ident, $row:ident, $frame:ident, $naive:ident;
     )+) => {
         pub const FRAMES: &[Frame] =
-            &[$($(#[$condition])? Frame { name: $name, view: $view, row: $row, frame: $frame },)+];
+            &[$($(#[$condition])? Frame {
+                name: $name, view: $view, row: $row, frame: $frame, naive: $naive,
+            },)+];
 
         $(
             $(#[$condition])?
@@ -67,21 +81,44 @@ macro_rules! frames {
             extern "C" fn $frame(_: u32) {
                 $rows(0..HEIGHT);
             }
+
+            $(#[$condition])?
+            #[inline(never)]
+            extern "C" fn $naive(x: u32) {
+                static PART: $Part = $part;
+                let (Ok(camera), Ok(size)) = (Number::$camera(), Size::new(WIDTH, HEIGHT)) else { return };
+                let rays = black_box(&camera).rays(size);
+                let lines = rays.row(from_middle(HEIGHT / 2, HEIGHT));
+                let mut list = SpanList::<Number, { <$Part as Shape>::STACK }>::new();
+                let to_light = black_box(Number::TO_LIGHT);
+                if x < u32::from(WIDTH) {
+                    let line = lines.line(from_middle(x as u16, WIDTH));
+                    black_box(&PART).spans(&line, Face(0), &mut list.stack());
+                    let seen = first_seen(list.as_slice(), rays.start());
+                    black_box(seen.map(|Seen { t, face, inside }| {
+                        let outward = PART.normal(face, line.at(t));
+                        let cosine = outward.dot(to_light);
+                        if inside { cosine.negated() } else { cosine }.to_level()
+                    }));
+                }
+            }
         )+
     };
 }
 
 frames! {
     "orthographic": Tee<Number> = Number::TEE, orthographic,
-        orthographic_rows, orthographic_view, orthographic_row, orthographic_frame;
+        orthographic_rows, orthographic_view, orthographic_row, orthographic_frame, orthographic_naive;
     "perspective": Tee<Number> = Number::TEE, perspective,
-        perspective_rows, perspective_view, perspective_row, perspective_frame;
+        perspective_rows, perspective_view, perspective_row, perspective_frame, perspective_naive;
+    "plate of 1 hole": Plate<Number, 1> = Number::PLATE, orthographic,
+        plate_1_rows, plate_1_view, plate_1_row, plate_1_frame, plate_1_naive;
     "plate of 4 holes": Plate<Number, 4> = Number::PLATE, orthographic,
-        plate_4_rows, plate_4_view, plate_4_row, plate_4_frame;
+        plate_4_rows, plate_4_view, plate_4_row, plate_4_frame, plate_4_naive;
     "plate of 16 holes": Plate<Number, 16> = Number::PLATE, orthographic,
-        plate_16_rows, plate_16_view, plate_16_row, plate_16_frame;
+        plate_16_rows, plate_16_view, plate_16_row, plate_16_frame, plate_16_naive;
     // With its 65 cylinders, a picture doesn't fit 16 KB of RAM.
     #[cfg(not(board = "microbit"))]
     "plate of 64 holes": Plate<Number, 64> = Number::PLATE, orthographic,
-        plate_64_rows, plate_64_view, plate_64_row, plate_64_frame;
+        plate_64_rows, plate_64_view, plate_64_row, plate_64_frame, plate_64_naive;
 }

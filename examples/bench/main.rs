@@ -33,12 +33,15 @@ fn main() -> ! {
         };
         report([name, ""], all(*work).saturating_sub(all(*idle)) / inputs);
     }
-    for frames::Frame { name, view, row, frame } in frames::FRAMES {
+    for frames::Frame { name, view, row, frame, naive } in frames::FRAMES {
         // Row by row, because the counters of some boards don't reach far enough for a frame.
         let view = counter.instructions(*view, 0);
         let of_row = |y: u16| counter.instructions(*row, y.into()).saturating_sub(view);
         report([name, ": view"], view);
         report([name, ": middle row"], of_row(frames::HEIGHT / 2));
+        let once = counter.instructions(*naive, u32::MAX);
+        let of_pixel = |x: u16| counter.instructions(*naive, x.into()).saturating_sub(once);
+        report([name, ": naive middle row"], (0..frames::WIDTH).map(of_pixel).sum());
         let all = (0..frames::HEIGHT).map(of_row).fold(view, u32::saturating_add);
         let pixels = u32::from(frames::WIDTH) * u32::from(frames::HEIGHT);
         report([name, ": frame, a pixel"], all / pixels);
@@ -61,6 +64,7 @@ fn main() {
         (frame.view)(0);
         (frame.row)(0);
         (frame.frame)(0);
+        (frame.naive)(0);
         println!("{} frame, {} pixels wide: ran", frame.name, frames::WIDTH);
     }
 }

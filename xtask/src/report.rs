@@ -86,7 +86,8 @@ pub fn write(rows: &[Row]) -> Result<(), String> {
         "## Instructions of the parts\n\n\
          Of a ready ray (the mean of 100 ordinary rays) and of splines a call, its arguments, its \
          return and its result are counted, and not the loop around it; of the other parts the loop, \
-         too. A plate of 64 holes doesn't fit the RAM of the micro:bit.\n\n\
+         too. A naive row asks every primitive about the line of every pixel. A plate of 64 holes \
+         doesn't fit the RAM of the micro:bit.\n\n\
          | part |",
     );
     rows.iter().for_each(|row| {
@@ -109,10 +110,29 @@ pub fn write(rows: &[Row]) -> Result<(), String> {
             let _ = write!(text, " {count} |");
         });
         text.push('\n');
+        if let Some(scene) = name.strip_suffix(NAIVE) {
+            let _ = write!(text, "| {scene}, naive by middle row |");
+            rows.iter().for_each(|row| {
+                let _ = write!(text, " {} |", naive_ratio(&row.counts, scene));
+            });
+            text.push('\n');
+        }
     }
     save("docs/boards.md", &text)?;
     let readme = fs::read_to_string(root().join("README.md")).map_err(|error| error.to_string())?;
     save("README.md", &with_table(&readme, &table(rows))?)
+}
+
+/// The naive caster's part of a scene.
+const NAIVE: &str = ": naive middle row";
+
+/// How many times as many instructions the naive caster takes for a row.
+fn naive_ratio(counts: &Counts, scene: &str) -> String {
+    let count = |part: &str| counts.of(&format!("{scene}{part}"));
+    match (count(NAIVE), count(": middle row")) {
+        (Some(naive), Some(row)) => format!("{:.1}", naive as f64 / row as f64),
+        _ => "-".to_owned(),
+    }
 }
 
 fn save(name: &str, text: &str) -> Result<(), String> {
