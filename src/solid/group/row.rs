@@ -283,6 +283,11 @@ impl<R> GroupRow<[Member<R>]> {
         mut next: Crossing<T::Scalar>,
         first: Face,
     ) -> Crossing<T::Scalar> {
+        // What is left of the only element is left of all.
+        let first_of_run = self.members.get(usize::from(self.first));
+        if first_of_run.is_some_and(|member| member.next == NONE) {
+            return next;
+        }
         while next.t < T::Scalar::HIGHEST {
             let all = self.look_at_each(solids, views, x, next.t, first);
             if !all.inside {
