@@ -73,10 +73,8 @@ impl<R> GroupRow<[Member<R>]> {
         for (index, (solid, view)) in solids.iter().zip(views).enumerate().rev() {
             let Some(member) = self.members.get_mut(index) else { continue };
             solid.row(view, y, columns, &mut member.row);
-            if T::outlook(&member.row, 0) != Outlook::EMPTY {
-                (member.until, member.next) = (0, self.coming);
-                self.coming = index as u16;
-            }
+            let outlook = T::outlook(&member.row, 0);
+            self.await_first(index as u16, outlook);
         }
     }
 
@@ -95,7 +93,7 @@ impl<R> GroupRow<[Member<R>]> {
     pub(in crate::solid) fn enter<P, T: Project<P, Row = R>>(&mut self, column: u32) -> Outlook {
         let [from, until] = self.run.map(u32::from);
         if column < from {
-            self.go_back();
+            self.go_back::<P, T>();
         }
         if column < from || until <= column {
             self.go_on::<P, T>(column);
@@ -112,49 +110,107 @@ impl<R> GroupRow<[Member<R>]> {
 
     /// Before the first column.
     #[cold]
-    fn go_back(&mut self) {
+    fn go_back<P, T: Project<P, Row = R>>(&mut self) {
         self.clear();
-        for (index, member) in self.members.iter_mut().enumerate().rev() {
-            (member.until, member.next) = (0, self.coming);
-            self.coming = index as u16;
+        for index in (0..self.members.len()).rev() {
+            if let Some(member) = self.members.get(index) {
+                self.await_first(index as u16, T::outlook(&member.row, 0));
+            }
+        }
+    }
+
+    /// Puts an element among those to come, by what can be seen of it from the first column on.
+    #[inline]
+    fn await_first(&mut self, index: u16, outlook: Outlook) {
+        if outlook != Outlook::EMPTY {
+            self.wait(index, if outlook.is_there { 0 } else { column(outlook.until) });
+        }
+    }
+
+    /// Puts an element among those to come.
+    #[inline(never)]
+    fn wait(&mut self, index: u16, until: u16) {
+        let (mut last, mut next) = (NONE, self.coming);
+        while let Some(member) = self.members.get(usize::from(next))
+            && member.until < until
+        {
+            (last, next) = (next, member.next);
+        }
+        if let Some(member) = self.members.get_mut(usize::from(index)) {
+            (member.until, member.next) = (until, next);
+        }
+        match self.members.get_mut(usize::from(last)) {
+            Some(last) => last.next = index,
+            None => self.coming = index,
         }
     }
 
     /// Enters a run to the right, where only the elements of the last one and the first of those to
     /// come can be others.
     #[inline(always)]
-    fn go_on<P, T: Project<P, Row = R>>(&mut self, column: u32) {
-        let mut rest = core::mem::replace(&mut self.first, NONE);
-        let (mut last, mut last_coming, mut run_until) = (NONE, NONE, u16::MAX);
-        loop {
-            let index = if let Some(member) = self.members.get(usize::from(rest)) {
-                core::mem::replace(&mut rest, member.next)
-            } else if let Some(member) = self.members.get(usize::from(self.coming))
-                && u32::from(member.until) <= column
-            {
-                core::mem::replace(&mut self.coming, member.next)
-            } else {
-                break;
-            };
-            let Some(member) = self.members.get_mut(usize::from(index)) else { break };
-            let Outlook { is_there, until } = T::enter(&mut member.row, column);
-            let until = u16::try_from(until).unwrap_or(u16::MAX);
-            member.until = until;
-            if is_there {
+    fn go_on<P, T: Project<P, Row = R>>(&mut self, now: u32) {
+        let mut run_until = u16::MAX;
+        let (mut index, mut last) = (self.first, NONE);
+        while let Some(member) = self.members.get_mut(usize::from(index)) {
+            let next = member.next;
+            let mut stays = u32::from(member.until) > now;
+            if !stays {
+                let outlook = T::enter(&mut member.row, now);
+                member.until = column(outlook.until);
+                stays = outlook.is_there;
+            }
+            let until = member.until;
+            if stays {
                 run_until = run_until.min(until);
-                let is_before = |other, _: &_| other < index;
-                insert(&mut self.members, &mut self.first, last, index, is_before);
                 last = index;
+            } else {
+                match self.members.get_mut(usize::from(last)) {
+                    Some(last) => last.next = next,
+                    None => self.first = next,
+                }
+                if until != u16::MAX {
+                    self.wait(index, until);
+                }
+            }
+            index = next;
+        }
+        loop {
+            let index = self.coming;
+            let Some(member) = self.members.get_mut(usize::from(index)) else { break };
+            if u32::from(member.until) > now {
+                run_until = run_until.min(member.until);
+                break;
+            }
+            self.coming = member.next;
+            let outlook = T::enter(&mut member.row, now);
+            let until = column(outlook.until);
+            if outlook.is_there {
+                member.until = until;
+                run_until = run_until.min(until);
+                self.join(index);
             } else if until != u16::MAX {
-                let is_before = |_, other: &Member<R>| other.until < until;
-                insert(&mut self.members, &mut self.coming, last_coming, index, is_before);
-                last_coming = index;
+                self.wait(index, until);
             }
         }
-        if let Some(member) = self.members.get(usize::from(self.coming)) {
-            run_until = run_until.min(member.until);
+        self.run = [now as u16, run_until];
+    }
+
+    /// Puts an element among those of the run.
+    #[inline(always)]
+    fn join(&mut self, index: u16) {
+        let (mut last, mut next) = (NONE, self.first);
+        while next < index
+            && let Some(member) = self.members.get(usize::from(next))
+        {
+            (last, next) = (next, member.next);
         }
-        self.run = [column as u16, run_until];
+        if let Some(member) = self.members.get_mut(usize::from(index)) {
+            member.next = next;
+        }
+        match self.members.get_mut(usize::from(last)) {
+            Some(last) => last.next = index,
+            None => self.first = index,
+        }
     }
 
     pub(in crate::solid) fn spans<P, T: Project<P, Row = R>>(
@@ -299,31 +355,9 @@ impl<R> GroupRow<[Member<R>]> {
     }
 }
 
-/// Puts an element into a list, behind those that are before it. That may be known of one of them.
-#[inline(always)]
-fn insert<R>(
-    members: &mut [Member<R>],
-    first: &mut u16,
-    known: u16,
-    index: u16,
-    is_before: impl Fn(u16, &Member<R>) -> bool,
-) {
-    let (mut last, mut next) = match members.get(usize::from(known)) {
-        Some(member) if is_before(known, member) => (known, member.next),
-        _ => (NONE, *first),
-    };
-    while let Some(member) = members.get(usize::from(next))
-        && is_before(next, member)
-    {
-        (last, next) = (next, member.next);
-    }
-    if let Some(member) = members.get_mut(usize::from(index)) {
-        member.next = next;
-    }
-    match members.get_mut(usize::from(last)) {
-        Some(last) => last.next = index,
-        None => *first = index,
-    }
+/// As it is kept: the largest one for never.
+fn column(index: u32) -> u16 {
+    u16::try_from(index).unwrap_or(u16::MAX)
 }
 
 impl<S: Scalar> Look<S> {
