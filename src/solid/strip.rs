@@ -33,7 +33,8 @@ impl Steps {
         const MARGIN: i32 = 3;
         let error = S::uncertainty(size);
         let (low, high) = (low - error - length.middle, high + error - length.middle);
-        if !(low.is_finite() && high.is_finite()) {
+        // Not so if either is infinite or NaN, nor if they are too far apart.
+        if !(high - low).is_finite() {
             return Self::ALL;
         }
         if length.step == S::Fine::ZERO {
