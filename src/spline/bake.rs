@@ -12,10 +12,10 @@
 
 use super::CurveError;
 use super::fixed::FixedFrame;
-use super::float::{FloatFrame, order_f32, order_f64};
+use super::float::{order_f32, order_f64};
 use super::long::{Long, power};
 use crate::scalar::whole::narrow;
-use crate::scalar::{FixedI32, Fraction};
+use crate::scalar::{FixedI32, FloatFrame, Fraction};
 
 /// What baking a span needs to know of its number type.
 pub(super) struct Bake<S>(core::marker::PhantomData<S>);
@@ -89,7 +89,7 @@ const fn coefficient<const K: usize>(polynomial: &[Long; K], i: usize, scale: f6
 macro_rules! floats {
     ($($Float:ident $Whole:ident $order:ident),+) => {$(
         impl Bake<$Float> {
-            pub(super) const EMPTY: FloatFrame<$Float> = FloatFrame { origin: 0.0, scale: 0.0 };
+            pub(super) const EMPTY: FloatFrame<$Float> = FloatFrame { scale: 0.0, shift: 0.0 };
 
             pub(super) const ZERO: $Float = 0.0;
             pub(super) const NO_BASE: () = ();
@@ -103,22 +103,26 @@ macro_rules! floats {
                 $order(if x == 0.0 { -0.0 } else { x })
             }
 
+            /// The key of the last number of a span: 0 is as small as −0.
+            pub(super) const fn last_key(x: $Float) -> $Whole {
+                $order(x + 0.0)
+            }
+
             /// A span's frame.
             pub(super) const fn frame(start: $Float, end: $Float) -> FloatFrame<$Float> {
                 let middle = start + (end - start) / 2.0;
                 // A span of a unit in the last place has no other number than its start.
                 let origin = if middle < end { middle } else { start };
-                let far = (origin - start).max(end - origin).max($Float::MIN_POSITIVE);
-                FloatFrame { origin, scale: power(far as f64) as $Float }
+                // A piece without a length has some scale, with which nothing overflows.
+                let least = (origin.abs() * ($Float::EPSILON / 2.0)).max($Float::MIN_POSITIVE);
+                let far = (origin - start).max(end - origin).max(least);
+                let scale = power(far as f64) as $Float;
+                FloatFrame { scale, shift: -origin * scale }
             }
 
             /// The distance of a knot from the origin of a frame.
-            pub(super) const fn distance(
-                knot: $Float,
-                frame: FloatFrame<$Float>,
-                _: $Float,
-            ) -> Long {
-                Long::sum(knot as f64, -(frame.origin as f64))
+            pub(super) const fn distance(knot: $Float, frame: FloatFrame<$Float>) -> Long {
+                Long::sum(knot as f64, frame.shift as f64 / frame.scale as f64)
             }
 
             /// The distance that the local parameter 1 stands for.
@@ -151,7 +155,7 @@ macro_rules! floats {
 floats!(f32 i32 order_f32, f64 i64 order_f64);
 
 impl<F: Fraction> Bake<FixedI32<F>> {
-    pub(super) const EMPTY: FixedFrame = FixedFrame { origin: 0, shift: 0, guard: 0 };
+    pub(super) const EMPTY: FixedFrame = FixedFrame { start: 0, origin: 0, shift: 0, guard: 0 };
 
     pub(super) const ZERO: i32 = 0;
     pub(super) const NO_BASE: i32 = 0;
@@ -164,19 +168,23 @@ impl<F: Fraction> Bake<FixedI32<F>> {
         x.to_bits()
     }
 
+    pub(super) const fn last_key(x: FixedI32<F>) -> i32 {
+        x.to_bits()
+    }
+
     pub(super) const fn frame(start: FixedI32<F>, end: FixedI32<F>) -> FixedFrame {
         let width = end.to_bits().wrapping_sub(start.to_bits()).cast_unsigned();
         let shift = width.leading_zeros();
         // Rounded up, so that the end's local parameter fits 32 bits.
         let half = width.wrapping_shl(shift).div_ceil(2);
         let origin = start.to_bits().cast_unsigned().wrapping_shl(shift).wrapping_add(half);
-        FixedFrame { origin, shift: shift as u8, guard: 0 }
+        FixedFrame { start: start.to_bits(), origin, shift: shift as u8, guard: 0 }
     }
 
     /// In units of 2^−shift, of which the local parameter 1 has 2³².
-    pub(super) const fn distance(knot: FixedI32<F>, frame: FixedFrame, start: FixedI32<F>) -> Long {
-        let steps = knot.to_bits() as f64 - start.to_bits() as f64;
-        let half = frame.half(start.to_bits());
+    pub(super) const fn distance(knot: FixedI32<F>, frame: FixedFrame) -> Long {
+        let steps = knot.to_bits() as f64 - frame.start as f64;
+        let half = frame.half();
         Long::sum(steps * (1u64 << frame.shift) as f64, -(half as f64))
     }
 

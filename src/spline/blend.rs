@@ -1,7 +1,8 @@
 //! The arithmetic of splines: what number types do in ways of their own.
 
+use super::tree;
 use super::weights::Weigh;
-use crate::scalar::Scalar;
+use crate::scalar::{Polynomial, Scalar};
 use core::fmt::Debug;
 
 /// A number type that splines can be made of: every [`Scalar`].
@@ -12,7 +13,7 @@ use core::fmt::Debug;
 pub trait Blend: Scalar + Weigh {
     /// A number inside of an evaluation.
     #[doc(hidden)]
-    type Inner: Copy + Debug + PartialEq + PartialOrd;
+    type Inner: Copy + Debug + PartialEq + PartialOrd + 'static;
     /// The value of a basis function inside of an evaluation.
     #[doc(hidden)]
     type Weight: Copy;
@@ -22,18 +23,18 @@ pub trait Blend: Scalar + Weigh {
     /// Where a span of a baked curve is, and how its polynomials are scaled.
     #[doc(hidden)]
     type Frame: Copy + Debug + PartialEq;
-    /// The polynomials of a span: in floating point one for each half.
+    /// Something for every polynomial of a baked curve: in floating point a span has three of them.
     #[doc(hidden)]
-    type Parts<T: Copy + Debug + PartialEq>: Copy + Debug + PartialEq + AsRef<[T]>;
+    type Pieces<T: Copy + Debug + PartialEq, const SPANS: usize>: Copy + Debug + PartialEq;
     /// A coefficient of a baked curve, and the local parameter of a span.
     #[doc(hidden)]
-    type Coefficient: Copy + Debug + PartialEq;
-    /// A whole number, in the order of the type's.
+    type Coefficient: Copy + Debug + PartialEq + 'static;
+    /// A whole number without a sign: how many numbers lie between two of the type's.
     #[doc(hidden)]
     type Key: Copy + Debug + Ord;
     /// What is done to the value of a baked polynomial at the end.
     #[doc(hidden)]
-    type Base: Copy + Debug + PartialEq;
+    type Base: Copy + Debug + PartialEq + 'static;
 
     /// The largest coordinate of a control point.
     #[doc(hidden)]
@@ -123,11 +124,25 @@ pub trait Blend: Scalar + Weigh {
     #[doc(hidden)]
     fn segments(norm: Self::Inner, factor: u16, tolerance: Self) -> u32;
 
+    /// How many numbers this is behind the one with the key `start`; before it, it is more than any
+    /// number behind it is.
     #[doc(hidden)]
-    fn key(self) -> Self::Key;
+    fn after(self, start: Self::Key) -> Self::Key;
 
     #[doc(hidden)]
     fn from_key(key: Self::Key) -> Self;
+
+    #[doc(hidden)]
+    fn pieces<T: Copy + Debug + PartialEq, const SPANS: usize>(
+        pieces: &Self::Pieces<T, SPANS>,
+    ) -> &[T];
+
+    /// As [`tree::find`].
+    #[doc(hidden)]
+    #[inline(always)]
+    fn find<'a, T>(nodes: &[Self::Key], elements: &'a [T], key: &Self::Key) -> Option<&'a T> {
+        tree::find(nodes, elements, key)
+    }
 
     /// 1 from a number on, and 0 below. It is arithmetic, for an index: a condition would become one of
     /// every address.
@@ -150,6 +165,19 @@ pub trait Blend: Scalar + Weigh {
         c: Self::Coefficient,
     ) -> Self::Coefficient;
 
+    /// Horner's rule for all coordinates of a baked curve. There is a coefficient for an order above 0.
+    #[doc(hidden)]
+    #[inline]
+    fn sums<Row, const K: usize>(
+        polynomial: &Polynomial<Self::Frame, Row, K>,
+        t: Self,
+    ) -> Option<Row>
+    where
+        Row: Copy + AsRef<[Self::Coefficient]> + AsMut<[Self::Coefficient]> + 'static,
+    {
+        horner(polynomial, t)
+    }
+
     /// The value of a baked polynomial.
     #[doc(hidden)]
     fn baked(sum: Self::Coefficient, base: Self::Base, frame: &Self::Frame) -> Self;
@@ -162,7 +190,6 @@ pub trait Blend: Scalar + Weigh {
         base: Self::Base,
         order: usize,
         t: Self,
-        start: Self,
         frame: &Self::Frame,
     ) -> Option<Self>;
 }
@@ -171,4 +198,24 @@ pub trait Blend: Scalar + Weigh {
 #[inline]
 pub(super) fn falling(i: usize, order: usize) -> i64 {
     (0..order).fold(1, |product, j| product * (i as i64 - j as i64))
+}
+
+/// As [`Blend::sums`].
+#[inline]
+pub(super) fn horner<S: Blend, Row, const K: usize>(
+    polynomial: &Polynomial<S::Frame, Row, K>,
+    t: S,
+) -> Option<Row>
+where
+    Row: Copy + AsRef<[S::Coefficient]> + AsMut<[S::Coefficient]>,
+{
+    let local = S::local(t, &polynomial.frame);
+    let (first, rest) = polynomial.coefficients.split_first()?;
+    let mut sums = *first;
+    for coefficients in rest {
+        for (sum, c) in sums.as_mut().iter_mut().zip(coefficients.as_ref()) {
+            *sum = S::horner(*sum, local, *c);
+        }
+    }
+    Some(sums)
 }

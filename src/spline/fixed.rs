@@ -54,6 +54,8 @@ impl Mixed {
 #[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FixedFrame {
+    /// Where the span starts.
+    pub(super) start: i32,
     /// The middle of the span, modulo 2³².
     pub(super) origin: u32,
     pub(super) shift: u8,
@@ -62,9 +64,9 @@ pub struct FixedFrame {
 }
 
 impl FixedFrame {
-    /// Half of the span that starts there, times 2^shift.
-    pub(super) const fn half(self, start: i32) -> u32 {
-        self.origin.wrapping_sub(start.cast_unsigned().wrapping_shl(self.shift as u32))
+    /// Half of the span, times 2^shift.
+    pub(super) const fn half(self) -> u32 {
+        self.origin.wrapping_sub(self.start.cast_unsigned().wrapping_shl(self.shift as u32))
     }
 }
 
@@ -89,9 +91,9 @@ impl<F: Fraction> Blend for FixedI32<F> {
     type Weight = i64;
     type Ratio = Mixed;
     type Frame = FixedFrame;
-    type Parts<T: Copy + Debug + PartialEq> = [T; 1];
+    type Pieces<T: Copy + Debug + PartialEq, const SPANS: usize> = [[T; 1]; SPANS];
     type Coefficient = i32;
-    type Key = i32;
+    type Key = u32;
     /// The whole units of the value in the middle of the span.
     type Base = i32;
 
@@ -208,13 +210,20 @@ impl<F: Fraction> Blend for FixedI32<F> {
     }
 
     #[inline]
-    fn key(self) -> i32 {
-        self.to_bits()
+    fn after(self, start: u32) -> u32 {
+        self.to_bits().cast_unsigned().wrapping_sub(start)
     }
 
     #[inline]
-    fn from_key(key: i32) -> Self {
-        Self::from_bits(key)
+    fn from_key(key: u32) -> Self {
+        Self::from_bits(key.cast_signed())
+    }
+
+    #[inline]
+    fn pieces<T: Copy + Debug + PartialEq, const SPANS: usize>(
+        pieces: &Self::Pieces<T, SPANS>,
+    ) -> &[T] {
+        pieces.as_flattened()
     }
 
     #[inline]
@@ -250,12 +259,11 @@ impl<F: Fraction> Blend for FixedI32<F> {
         base: i32,
         order: usize,
         t: Self,
-        start: Self,
         frame: &FixedFrame,
     ) -> Option<Self> {
         let shift = u32::from(frame.shift);
-        let offset = i128::from(width(start, t)) << shift;
-        let local = offset - i128::from(frame.half(start.to_bits()));
+        let offset = i128::from(width(Self::from_bits(frame.start), t)) << shift;
+        let local = offset - i128::from(frame.half());
         let sum = terms.fold(0, |sum: i128, (power, c)| {
             // What is held in here is far beyond the range at the end.
             let product = sum.saturating_mul(local) >> 32;

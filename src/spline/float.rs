@@ -1,7 +1,11 @@
 //! Splines in floating point.
 
 use super::blend::{Blend, falling};
-use crate::scalar::{Double, Float, Number, Real, Scalar};
+#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+use super::unit;
+#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+use crate::scalar::Polynomial;
+use crate::scalar::{Double, Float, FloatFrame, Number, Real, Scalar};
 use core::fmt::Debug;
 use core::hint::select_unpredictable;
 
@@ -56,16 +60,6 @@ fn quotient<S: Float>(a: Double<S>, b: Double<S>) -> Double<S> {
     Double::sum(high, rest / b.high)
 }
 
-/// The local parameter of a baked span is `(t − origin)·scale`.
-#[doc(hidden)]
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FloatFrame<S> {
-    /// Near the middle of the span.
-    pub(super) origin: S,
-    /// A power of two, so that the product is exact.
-    pub(super) scale: S,
-}
-
 macro_rules! orders {
     ($($order:ident $Float:ident $Whole:ident),+) => {$(
         /// A whole number in the order of the floats, −0 below 0. It is its own inverse.
@@ -80,16 +74,18 @@ macro_rules! orders {
 orders!(order_f32 f32 i32, order_f64 f64 i64);
 
 macro_rules! floats {
-    ($($Float:ident $fmod:path, $Whole:ident $order:ident),+) => {$(
+    ($($Float:ident $fmod:path, $Key:ident $Whole:ident $order:ident, {$($own:tt)*}),+) => {$(
         impl Blend for $Float {
             type Inner = Self;
             type Weight = Weight<Self>;
             type Ratio = Nearer<Self>;
             type Frame = FloatFrame<Self>;
-            type Parts<T: Copy + Debug + PartialEq> = [T; 2];
+            type Pieces<T: Copy + Debug + PartialEq, const SPANS: usize> = [[T; 3]; SPANS];
             type Coefficient = Self;
-            type Key = $Whole;
+            type Key = $Key;
             type Base = ();
+
+            $($own)*
 
             const LARGEST: Self = Self::REACH;
             const NOTHING: Self = 0.0;
@@ -211,13 +207,20 @@ macro_rules! floats {
             }
 
             #[inline]
-            fn key(self) -> $Whole {
-                $order(self)
+            fn after(self, start: $Key) -> $Key {
+                $order(self).cast_unsigned().wrapping_sub(start)
             }
 
             #[inline]
-            fn from_key(key: $Whole) -> Self {
-                Self::from_bits($order(Self::from_bits(key.cast_unsigned())).cast_unsigned())
+            fn from_key(key: $Key) -> Self {
+                Self::from_bits($order(Self::from_bits(key)).cast_unsigned())
+            }
+
+            #[inline]
+            fn pieces<T: Copy + Debug + PartialEq, const SPANS: usize>(
+                pieces: &Self::Pieces<T, SPANS>,
+            ) -> &[T] {
+                pieces.as_flattened()
             }
 
             #[inline]
@@ -233,7 +236,7 @@ macro_rules! floats {
 
             #[inline]
             fn local(t: Self, frame: &Self::Frame) -> Self {
-                (t - frame.origin) * frame.scale
+                t * frame.scale + frame.shift
             }
 
             #[inline]
@@ -251,7 +254,6 @@ macro_rules! floats {
                 (): (),
                 order: usize,
                 t: Self,
-                _: Self,
                 frame: &Self::Frame,
             ) -> Option<Self> {
                 let local = Self::local(t, frame);
@@ -264,6 +266,27 @@ macro_rules! floats {
     )+};
 }
 
-floats!(f32 libm::fmodf, i32 order_f32, f64 libm::fmod, i64 order_f64);
+floats!(
+    f32 libm::fmodf, u32 i32 order_f32, {
+        #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+        #[inline(always)]
+        fn find<'a, T>(nodes: &[u32], elements: &'a [T], key: &u32) -> Option<&'a T> {
+            unit::find(nodes, elements, *key)
+        }
+
+        #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+        #[inline]
+        fn sums<Row, const K: usize>(
+            polynomial: &Polynomial<FloatFrame<Self>, Row, K>,
+            t: Self,
+        ) -> Option<Row>
+        where
+            Row: Copy + AsRef<[Self]> + AsMut<[Self]> + 'static,
+        {
+            unit::sums(polynomial, t)
+        }
+    },
+    f64 libm::fmod, u64 i64 order_f64, {}
+);
 
 const _: () = assert!(<f32 as Scalar>::REACH < 1e18);

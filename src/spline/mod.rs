@@ -50,6 +50,9 @@ mod long;
 mod point;
 mod shape;
 mod sweep;
+mod tree;
+#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+mod unit;
 mod weights;
 
 pub use baked::Baked;

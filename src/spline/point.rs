@@ -10,7 +10,12 @@ pub trait Point: Copy + Debug + PartialEq + sealed::Sealed {
     type Scalar: Blend;
     /// Something for each coordinate.
     #[doc(hidden)]
-    type Array<T: Copy + Debug + PartialEq>: Copy + Debug + PartialEq + AsRef<[T]> + AsMut<[T]>;
+    type Array<T: Copy + Debug + PartialEq + 'static>: Copy
+        + Debug
+        + PartialEq
+        + AsRef<[T]>
+        + AsMut<[T]>
+        + 'static;
 
     /// The point with all coordinates 0.
     const ORIGIN: Self;
@@ -38,7 +43,7 @@ impl<S: Blend, const D: usize> sealed::Sealed for [S; D] {}
 
 impl<S: Blend> Point for S {
     type Scalar = S;
-    type Array<T: Copy + Debug + PartialEq> = [T; 1];
+    type Array<T: Copy + Debug + PartialEq + 'static> = [T; 1];
 
     const ORIGIN: Self = S::ZERO;
 
@@ -55,8 +60,8 @@ impl<S: Blend> Point for S {
     #[inline]
     fn map<T, U>(array: [T; 1], of: impl Fn(T) -> U) -> [U; 1]
     where
-        T: Copy + Debug + PartialEq,
-        U: Copy + Debug + PartialEq,
+        T: Copy + Debug + PartialEq + 'static,
+        U: Copy + Debug + PartialEq + 'static,
     {
         array.map(of)
     }
@@ -64,7 +69,7 @@ impl<S: Blend> Point for S {
 
 impl<S: Blend> Point for Vec3<S> {
     type Scalar = S;
-    type Array<T: Copy + Debug + PartialEq> = [T; 3];
+    type Array<T: Copy + Debug + PartialEq + 'static> = [T; 3];
 
     const ORIGIN: Self = Self::ZERO;
 
@@ -81,8 +86,8 @@ impl<S: Blend> Point for Vec3<S> {
     #[inline]
     fn map<T, U>(array: [T; 3], of: impl Fn(T) -> U) -> [U; 3]
     where
-        T: Copy + Debug + PartialEq,
-        U: Copy + Debug + PartialEq,
+        T: Copy + Debug + PartialEq + 'static,
+        U: Copy + Debug + PartialEq + 'static,
     {
         array.map(of)
     }
@@ -90,7 +95,7 @@ impl<S: Blend> Point for Vec3<S> {
 
 impl<S: Blend, const D: usize> Point for [S; D] {
     type Scalar = S;
-    type Array<T: Copy + Debug + PartialEq> = [T; D];
+    type Array<T: Copy + Debug + PartialEq + 'static> = [T; D];
 
     const ORIGIN: Self = [S::ZERO; D];
 
@@ -107,8 +112,8 @@ impl<S: Blend, const D: usize> Point for [S; D] {
     #[inline]
     fn map<T, U>(array: [T; D], of: impl Fn(T) -> U) -> [U; D]
     where
-        T: Copy + Debug + PartialEq,
-        U: Copy + Debug + PartialEq,
+        T: Copy + Debug + PartialEq + 'static,
+        U: Copy + Debug + PartialEq + 'static,
     {
         array.map(of)
     }

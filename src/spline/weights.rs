@@ -127,11 +127,6 @@ const fn digits<const K: usize>() -> i32 {
     32 - K as i32
 }
 
-/// The key of a knot as the last number.
-const fn last_key(knot: f32) -> i32 {
-    order_f32(knot + 0.0)
-}
-
 /// 2^exponent, from −126 to 127.
 const fn power_of_two(exponent: i32) -> f32 {
     f32::from_bits((exponent + 127).cast_unsigned() << 23)
@@ -168,8 +163,8 @@ impl Bake<f32> {
             span += 1;
         }
         let (from, to) = (all[K - 1], all[points]);
-        made.from = if all[1] == from { last_key(from) + 1 } else { Self::key(from) };
-        made.to = if all[points + K - 2] == to { Self::key(to) - 1 } else { last_key(to) };
+        made.from = if all[1] == from { Self::last_key(from) + 1 } else { Self::key(from) };
+        made.to = if all[points + K - 2] == to { Self::key(to) - 1 } else { Self::last_key(to) };
         (made, frames)
     }
 
