@@ -11,6 +11,7 @@ mod benign;
 mod board;
 mod frames;
 mod parts;
+mod points;
 #[path = "../scene/mod.rs"]
 mod scene;
 
@@ -48,6 +49,7 @@ fn main() -> ! {
         // For `cargo xtask profile`.
         frame(0);
     }
+    report(["points", ""], parts::digest());
     loop {
         board::finish(counter.error() <= 1);
     }
@@ -60,6 +62,7 @@ fn main() {
         (part.idle)(part.inputs);
         println!("{} ran", part.name);
     }
+    println!("points {}", parts::digest());
     for frame in frames::FRAMES {
         (frame.view)(0);
         (frame.row)(0);

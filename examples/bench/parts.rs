@@ -2,15 +2,15 @@
 
 use crate::benign;
 use crate::frames::WIDTH;
+use crate::points::{self, Editable, InFlash, Splines};
 use crate::scene::Scene;
 use core::hint::black_box;
-use scancsg::constant;
-use scancsg::geom::{Ray, Vec3, vec3};
+use scancsg::geom::{Ray, Vec3};
 use scancsg::render::{Gray8, PixelFormat};
 use scancsg::scalar::I16F16;
 use scancsg::solid::Solid;
 use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
-use scancsg::spline::{Baked, Curve, Knots, NonZero, Outside, Sweep};
+use scancsg::spline::{Knots, NonZero, Outside, Sweep};
 use scancsg::stream::{Decoder, encode_row, packet_capacity};
 
 #[cfg(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16"))))]
@@ -142,37 +142,9 @@ extern "C" fn decode(times: u32) {
     }
 }
 
-const KNOTS: Knots<Number, 4, 12> =
-    constant!(Knots::<Number, 4, 12>::clamped_uniform(8, quarters(0), quarters(20)));
-/// A cubic curve in space, with eight control points.
-static PATH: Curve<Vec3<Number>, 4, 8, 12> = constant!(Curve::<Vec3<Number>, 4, 8, 12>::new(
-    KNOTS,
-    [
-        point([0, 0, 0]),
-        point([4, 8, -4]),
-        point([12, 4, 2]),
-        point([16, -8, 4]),
-        point([8, -12, 8]),
-        point([0, -4, 12]),
-        point([-4, 4, 8]),
-        point([2, 8, 4]),
-    ]
-));
-static BAKED: Baked<Vec3<Number>, 4, { KNOTS.spans() }> = constant!(PATH.bake());
-
-const fn point([x, y, z]: [i32; 3]) -> Vec3<Number> {
-    vec3(quarters(x), quarters(y), quarters(z))
-}
-
-#[cfg(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16"))))]
-const fn quarters(count: i32) -> f32 {
-    count as f32 / 4.0
-}
-
-#[cfg(not(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16")))))]
-const fn quarters(count: i32) -> I16F16 {
-    I16F16::from_bits(count << 14)
-}
+const KNOTS: Knots<Number, 4, 12> = Number::KNOTS;
+static PATH: Editable<Number> = Number::EDITABLE;
+static BAKED: InFlash<Number> = Number::BAKED;
 
 /// Sixteen parameters in all spans, in no order.
 fn parameters() -> [Number; 16] {
@@ -183,28 +155,38 @@ fn parameters() -> [Number; 16] {
 // its result are counted, and the loop is not.
 macro_rules! splines {
     ($($name:ident: $Spline:ty = $spline:expr, $Result:ty = |$part:ident, $t:ident| $value:expr;)+) => {$(
-        #[inline(never)]
-        extern "C" fn $name(times: u32) {
+        mod $name {
+            use super::*;
+
             #[inline(never)]
-            fn value($part: $Spline, $t: Number) -> $Result {
+            pub fn value($part: $Spline, $t: Number) -> $Result {
                 $value
             }
+        }
+
+        #[inline(never)]
+        extern "C" fn $name(times: u32) {
             let (part, parameters) = (black_box($spline), black_box(parameters()));
             for i in 0..times {
                 let t = parameters[i as usize % 16];
-                black_box(&value(part, black_box(t)));
+                black_box(&$name::value(part, black_box(t)));
             }
         }
     )+};
 }
 
 splines! {
-    editable_point: &Curve<Vec3<Number>, 4, 8, 12> = &PATH, Vec3<Number> =
+    editable_point: &Editable<Number> = &PATH, Vec3<Number> =
         |curve, t| curve.value(t, Outside::Clamp).unwrap_or(Vec3::ZERO);
-    baked_point: &Baked<Vec3<Number>, 4, { KNOTS.spans() }> = &BAKED, Vec3<Number> =
+    baked_point: &InFlash<Number> = &BAKED, Vec3<Number> =
         |curve, t| curve.value(t, Outside::Clamp).unwrap_or(Vec3::ZERO);
     basis_functions: &Knots<Number, 4, 12> = &KNOTS, Option<NonZero<Number, 4>> =
         |knots, t| knots.non_zero(t);
+}
+
+/// All bits of points of these curves, by the functions that are counted.
+pub fn digest() -> u32 {
+    points::digest(|t| [editable_point::value(&PATH, t), baked_point::value(&BAKED, t)])
 }
 
 #[inline(never)]

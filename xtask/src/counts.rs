@@ -2,8 +2,12 @@
 
 use crate::board::{Board, Number};
 use crate::boot;
+use crate::points::{Splines, digest};
 use crate::root;
 use crate::toolchain::Toolchain;
+use scancsg::geom::Vec3;
+use scancsg::scalar::I16F16;
+use scancsg::spline::Outside;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;
@@ -17,6 +21,8 @@ pub struct Counts {
     version: String,
     /// What was done, and in how many instructions.
     pub entries: Vec<(String, u64)>,
+    /// All bits of points of splines.
+    points: u64,
 }
 
 pub struct Change {
@@ -28,7 +34,7 @@ pub struct Change {
 pub fn measure(toolchain: &Toolchain, board: Board, number: Number) -> Result<Counts, String> {
     let elf = toolchain.build(board, number, "bench", &[])?;
     let said = boot::listen(board, &elf)?;
-    let entries: Vec<(String, u64)> = said
+    let mut entries: Vec<(String, u64)> = said
         .lines()
         .filter_map(|line| {
             let (name, count) = line.rsplit_once(' ')?;
@@ -38,12 +44,30 @@ pub fn measure(toolchain: &Toolchain, board: Board, number: Number) -> Result<Co
     if entries.is_empty() {
         return Err(format!("{board}: the benchmark said nothing: {said}"));
     }
-    Ok(Counts { board, number, version: toolchain.version.clone(), entries })
+    let place = entries.iter().position(|(name, _)| name == "points");
+    let (_, points) =
+        entries.remove(place.ok_or_else(|| format!("{board} said no points: {said}"))?);
+    Ok(Counts { board, number, version: toolchain.version.clone(), entries, points })
 }
 
 impl Counts {
     pub fn version(&self) -> &str {
         &self.version
+    }
+
+    /// What is wrong with what was computed.
+    pub fn problem(&self) -> Option<String> {
+        fn on_host<S: Splines>() -> u32 {
+            let clamp = Outside::Clamp;
+            let points = |t| [S::EDITABLE.value(t, clamp), S::BAKED.value(t, clamp)];
+            digest(|t| points(t).map(|point| point.unwrap_or(Vec3::ZERO)))
+        }
+        let want = match self.number {
+            Number::F32 => on_host::<f32>(),
+            Number::I16f16 => on_host::<I16F16>(),
+        };
+        (self.points != u64::from(want))
+            .then(|| "points of splines differ from the host's".to_owned())
     }
 
     pub fn of(&self, name: &str) -> Option<u64> {

@@ -8,6 +8,8 @@ mod faults;
 #[path = "../../examples/host/mod.rs"]
 mod host;
 mod log;
+#[path = "../../examples/bench/points.rs"]
+mod points;
 mod profile;
 mod report;
 #[path = "../../examples/scene/mod.rs"]
@@ -162,6 +164,7 @@ fn boards(chosen: &Boards) -> Result<(), String> {
                 problems.push(format!("{board}, {number}: {text}, of {MOST_FLASH} that it may"));
             }
             let counts = counts::measure(&toolchain, board, number)?;
+            problems.extend(counts.problem().map(|text| format!("{board}, {number}: {text}")));
             let changes = counts.compare(chosen.overwrite)?;
             changes.iter().for_each(|change| eprintln!("  {}", change.text));
             problems.extend(
