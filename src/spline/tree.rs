@@ -28,7 +28,7 @@ pub(super) const fn element(node: usize, count: usize) -> Option<usize> {
 pub(super) fn find<'a, K: Ord, T>(nodes: &[K], elements: &'a [T], key: &K) -> Option<&'a T> {
     let mut node = 1;
     for _ in 0..levels(elements.len()) {
-        node = 2 * node + usize::from(nodes.get(node).is_some_and(|node| node <= key));
+        node = 2 * node + 1 - usize::from(nodes.get(node).is_none_or(|node| key < node));
     }
     elements.get(node.wrapping_sub(first(elements.len())))
 }
