@@ -195,28 +195,22 @@ impl<P: Point, const K: usize, const SPANS: usize> Baked<P, K, SPANS> {
             return self.derivative(0, t, outside);
         }
         let (t, piece) = match self.piece(t.after(self.outside)) {
-            Some(piece) => (t, piece),
+            Some(piece) => (t, Some(piece)),
             // For a parameter outside, and for NaN.
-            None => {
-                let (t, key) = self.moved(t, outside);
-                match self.piece(key) {
-                    Some(piece) => (t, piece),
-                    None => return Err(self.refusal(t, outside)),
-                }
-            }
+            None => self.moved(t, outside),
         };
-        Ok(piece.value(t))
+        piece.map(|piece| piece.value(t)).ok_or_else(|| self.refusal(t, outside))
     }
 
-    /// The parameter to evaluate the curve at in place of one outside, and its key; or that one's.
+    /// The parameter to evaluate the curve at in place of one outside, and the piece that it belongs to.
     ///
-    /// The error is left to another function: these two numbers come back in registers, and the quick
-    /// path needs no place on the stack.
+    /// The error is left to another function: these two come back in registers, and the quick path needs
+    /// no place on the stack.
     #[cold]
-    #[inline]
-    fn moved(&self, t: P::Scalar, outside: Outside) -> (P::Scalar, Key<P>) {
+    #[inline(never)]
+    fn moved(&self, t: P::Scalar, outside: Outside) -> (P::Scalar, Option<&Piece<P, K>>) {
         let t = self.domain().place(t, outside).unwrap_or(t);
-        (t, t.after(self.outside))
+        (t, self.piece(t.after(self.outside)))
     }
 
     #[cold]
