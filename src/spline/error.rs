@@ -122,12 +122,15 @@ crate::error_text!(FlattenError {
 pub enum SweepError {
     /// There are fewer control points than the order.
     TooFew,
-    /// There are fewer ticks to a span than the degree, or so many that (k−1)!·ticks^(k−1) exceeds
-    /// 2³¹ for the order k.
+    /// There are fewer ticks to a span than the degree, or so many that the common divisor of its basis
+    /// functions exceeds 2³¹: (k−1)!·ticks^(k−1) for uniform knots and the order k.
     Ticks,
+    /// The step is not positive, or two knots are not a whole number of steps apart.
+    Step,
 }
 
 crate::error_text!(SweepError {
     TooFew => "there are fewer control points than the order",
     Ticks => "too few or too many ticks to a span for the order",
+    Step => "the knots are not whole steps apart",
 });

@@ -50,6 +50,7 @@ mod long;
 mod point;
 mod shape;
 mod sweep;
+mod ticks;
 mod tree;
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
 mod unit;

@@ -1,16 +1,19 @@
 //! Points at equal steps of the parameter, by additions of whole numbers.
 
 use super::SweepError;
+use super::curve::Curve;
 use super::point::Point;
+use super::ticks::Ticks;
 use crate::scalar::{FixedI32, Fraction};
 
-/// A curve over uniform knots in fixed point, from point to point: one for every tick of a clock,
-/// so many ticks to a span.
+/// A curve in fixed point, from point to point: one for every tick of a clock, whose knots are all
+/// at ticks.
 ///
-/// At a tick i of a span of T ticks, a cardinal spline of the order k times (k−1)! T^(k−1) is a
-/// polynomial in i with whole coefficients. So its differences are whole numbers, and a step is
-/// k − 1 additions. Each number is kept as a whole part and a remainder, which makes the result the
-/// exact value, rounded to nearest, without a division; no error adds up however long a sweep is.
+/// At a tick i of a span, a spline times a common divisor of its basis functions is a polynomial in i
+/// with whole coefficients: over uniform knots T ticks apart, (k−1)! T^(k−1) for the order k. So its
+/// differences are whole numbers, and a step is k − 1 additions. Each number is kept as a whole part and
+/// a remainder, which makes the result the exact value, rounded to nearest, without a division; no error
+/// adds up however long a sweep is. Differences are computed anew where a span begins.
 ///
 /// ```
 /// use scancsg::{scalar::I16F16, spline::Sweep};
@@ -21,12 +24,25 @@ use crate::scalar::{FixedI32, Fraction};
 /// assert_eq!(path, [2.0, 2.875, 3.5, 3.875, 4.0, 3.875, 3.5, 2.875, 2.0]);
 /// # Ok::<(), scancsg::spline::SweepError>(())
 /// ```
+///
+/// A clamped curve begins and ends at its control points:
+///
+/// ```
+/// use scancsg::{constant, scalar::I16F16, spline::{Curve, Knots, Sweep}};
+///
+/// const KNOTS: Knots<I16F16, 3, 7> =
+///     constant!(Knots::<I16F16, 3, 7>::clamped_uniform(4, I16F16::ZERO, I16F16::ONE));
+/// let curve = Curve::<I16F16, 3, 4, 7>::new(KNOTS, [0, 4, 4, 0].map(I16F16::from_num)).unwrap();
+/// let quarter = I16F16::from_num(0.25);
+/// let path: Vec<f32> = Sweep::along(&curve, quarter)?.map(|x| x.to_num()).collect();
+/// assert_eq!(path, [0.0, 3.0, 4.0, 3.0, 0.0]);
+/// # Ok::<(), scancsg::spline::SweepError>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Sweep<'a, P: Point, const K: usize> {
     points: &'a [P],
-    is_closed: bool,
-    ticks: u32,
-    /// (k−1)! T^(k−1).
+    pace: Pace<'a, P::Scalar>,
+    /// Of the basis functions of the span.
     divisor: u32,
     /// The next span.
     pub(super) span: usize,
@@ -34,6 +50,15 @@ pub struct Sweep<'a, P: Point, const K: usize> {
     pub(super) left: u32,
     /// Of each coordinate, the value and its differences.
     differences: P::Array<[Quotient; K]>,
+}
+
+/// Where the knots are.
+#[derive(Debug, Clone, Copy)]
+enum Pace<'a, S> {
+    /// So many ticks apart.
+    Uniform { ticks: u32, is_closed: bool },
+    /// At these parameters, with a tick at every multiple of the step.
+    Given { knots: &'a [S], step: u32 },
 }
 
 /// `whole + rest/divisor`, with the whole part modulo 2³²: only that of the value has to fit.
@@ -75,7 +100,7 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
         if points.len() < K {
             return Err(SweepError::TooFew);
         }
-        Self::start(points, ticks, false)
+        Self::start(points, Pace::Uniform { ticks, is_closed: false })
     }
 
     /// Once around the closed curve with these control points, and again without an end.
@@ -86,43 +111,92 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
         if points.len() < K {
             return Err(SweepError::TooFew);
         }
-        Self::start(points, ticks, true)
+        Self::start(points, Pace::Uniform { ticks, is_closed: true })
     }
 
-    fn start(points: &'a [P], ticks: u32, is_closed: bool) -> Result<Self, SweepError> {
+    /// From the beginning to the end of the domain of a curve, a point at every `step` of its parameter,
+    /// both ends included. Where the curve is not continuous, it is the point to the right.
+    ///
+    /// # Errors
+    /// [`SweepError::Step`]; [`SweepError::Ticks`].
+    pub fn along<const C: usize, const N: usize>(
+        curve: &'a Curve<P, K, C, N>,
+        step: FixedI32<F>,
+    ) -> Result<Self, SweepError> {
+        let knots = curve.knots().as_slice();
+        let step = u32::try_from(step.to_bits()).map_err(|_| SweepError::Step)?;
+        let is_even = knots.windows(2).all(|pair| match pair {
+            [low, high] => distance(*low, *high).checked_rem(step) == Some(0),
+            _ => true,
+        });
+        if !is_even {
+            return Err(SweepError::Step);
+        }
+        Self::start(curve.points(), Pace::Given { knots, step })
+    }
+
+    fn start(points: &'a [P], pace: Pace<'a, FixedI32<F>>) -> Result<Self, SweepError> {
         const { assert!(K >= 1 && K <= 12) };
-        let mut divisor = 1u64;
-        for degree in 1..K as u64 {
-            divisor = divisor.saturating_mul(degree).saturating_mul(u64::from(ticks));
-        }
-        if divisor > 1 << 31 || (ticks as usize) < K - 1 || ticks == 0 {
-            return Err(SweepError::Ticks);
-        }
         let mut sweep = Self {
             points,
-            is_closed,
-            ticks,
-            divisor: divisor as u32,
+            pace,
+            divisor: 1,
             span: 0,
             left: 0,
             differences: P::map(P::ORIGIN.coordinates(), |_| [Quotient::ZERO; K]),
         };
-        sweep.enter();
+        let is_given = matches!(pace, Pace::Given { .. });
+        let different = if is_given { sweep.spans() } else { 1 };
+        for (behind, ahead) in (0..different).map(|span| sweep.knots(span)) {
+            let is_empty = is_given && ahead.first() == Some(&0);
+            let ticks = Ticks::new(behind, ahead).filter(|ticks| ticks.count() as usize >= K - 1);
+            if ticks.is_none() && !is_empty {
+                return Err(SweepError::Ticks);
+            }
+        }
+        sweep.turn();
         Ok(sweep)
+    }
+
+    fn spans(&self) -> usize {
+        match self.pace {
+            Pace::Uniform { is_closed: true, .. } => self.points.len(),
+            _ => (self.points.len() + 1).saturating_sub(K),
+        }
+    }
+
+    /// How many ticks the knots of a span are behind its beginning, and ahead of it.
+    fn knots(&self, span: usize) -> ([u32; K], [u32; K]) {
+        match self.pace {
+            Pace::Uniform { ticks, .. } => (
+                core::array::from_fn(|i| ticks.saturating_mul((K - 1 - i) as u32)),
+                core::array::from_fn(|i| ticks.saturating_mul(i as u32 + 1)),
+            ),
+            Pace::Given { knots, step } => {
+                let knot = |i| knots.get(span + i).copied().unwrap_or(FixedI32::ZERO);
+                let ticks = |low, high| distance(low, high).checked_div(step).unwrap_or(0);
+                let start = knot(K - 1);
+                (
+                    core::array::from_fn(|i| ticks(knot(i), start)),
+                    core::array::from_fn(|i| ticks(start, knot(K + i))),
+                )
+            }
+        }
     }
 
     /// Goes on to the next span; at the end of an open curve to its last point, and then to nothing.
     #[cold]
     fn turn(&mut self) -> Option<()> {
-        let spans = if self.is_closed { self.points.len() } else { self.points.len() + 1 - K };
-        if self.span < spans {
-            self.enter();
-        } else if self.is_closed {
+        let spans = self.spans();
+        if self.span == spans && matches!(self.pace, Pace::Uniform { is_closed: true, .. }) {
             self.span = 0;
+        }
+        // Empty spans have no ticks.
+        while self.left == 0 && self.span < spans {
             self.enter();
-        } else {
-            self.left = u32::from(self.span == spans);
-            self.span = spans + 1;
+        }
+        if self.left == 0 && self.span == spans {
+            (self.span, self.left) = (spans + 1, 1);
         }
         (self.left > 0).then_some(())
     }
@@ -130,10 +204,13 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
     /// The value and its differences at the beginning of a span.
     fn enter(&mut self) {
         let (points, span) = (self.points, self.span);
-        (self.span, self.left) = (span + 1, self.ticks);
+        self.span += 1;
+        let (behind, ahead) = self.knots(span);
+        let Some(ticks) = Ticks::new(behind, ahead) else { return };
+        (self.left, self.divisor) = (ticks.count(), ticks.divisor);
         let divisor = i64::from(self.divisor);
         for tick in 0..K {
-            let weights = weights::<K>(i64::from(self.ticks), tick as i64);
+            let weights = ticks.weights(tick as u32);
             let from_span = points.iter().cycle().skip(span);
             let mut sums = P::map(P::ORIGIN.coordinates(), |_| 0i64);
             for (weight, point) in weights.iter().zip(from_span) {
@@ -180,28 +257,9 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
     }
 }
 
-/// The basis functions of a span of T ticks at a tick, from 0 to T, times (k−1)! T^(k−1).
-///
-/// The recurrence over whole knots, without its divisors.
-fn weights<const K: usize>(ticks: i64, at: i64) -> [i64; K] {
-    let mut weights = [0i64; K];
-    if let Some(last) = weights.last_mut() {
-        *last = 1;
-    }
-    for level in 1..K {
-        // weights[i] is the function that began K − 1 − i spans ago.
-        for i in 0..K {
-            let age = (K - 1 - i) as i64;
-            let own = weights.get(i).copied().unwrap_or(0);
-            let right = weights.get(i + 1).copied().unwrap_or(0);
-            let rise = own.wrapping_mul(at + age * ticks);
-            let fall = right.wrapping_mul((level as i64 + 1 - age) * ticks - at);
-            if let Some(weight) = weights.get_mut(i) {
-                *weight = rise.wrapping_add(fall);
-            }
-        }
-    }
-    weights
+/// In units of the type, of knots in ascending order.
+fn distance<F: Fraction>(low: FixedI32<F>, high: FixedI32<F>) -> u32 {
+    high.to_bits().wrapping_sub(low.to_bits()).cast_unsigned()
 }
 
 impl<F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Iterator for Sweep<'_, P, K> {

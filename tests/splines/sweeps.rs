@@ -4,7 +4,7 @@ use super::exact::{self, Ratio};
 use proptest::prelude::*;
 use scancsg::geom::Vec3;
 use scancsg::scalar::I16F16;
-use scancsg::spline::{Sweep, SweepError};
+use scancsg::spline::{Curve, Knots, Sweep, SweepError};
 
 /// ⌊x + 1/2⌋ of a value in units.
 fn rounded(x: &Ratio) -> i64 {
@@ -36,6 +36,40 @@ fn check<const K: usize>(bits: &[i32], ticks: u32) -> Result<(), TestCaseError> 
     Ok(())
 }
 
+/// Along a curve whose knots are so many ticks apart; `None` if these are no knots.
+fn check_along<const K: usize>(
+    gaps: &[u32],
+    bits: &[i32],
+    start: i32,
+    step: i32,
+) -> Result<Option<()>, TestCaseError> {
+    let ticks: Vec<i64> = gaps
+        .iter()
+        .scan(0, |tick, gap| {
+            *tick += i64::from(*gap);
+            Some(*tick)
+        })
+        .collect();
+    let knots: Vec<I16F16> =
+        ticks.iter().map(|&tick| I16F16::from_bits(start + tick as i32 * step)).collect();
+    let points: Vec<I16F16> =
+        (0..ticks.len() - K).map(|i| I16F16::from_bits(bits[i % bits.len()])).collect();
+    let Ok(made) = Knots::<I16F16, K, 14>::new(&knots) else { return Ok(None) };
+    let Ok(curve) = Curve::<I16F16, K, 14, 14>::from_slice(made, &points) else { return Ok(None) };
+    let sweep: Vec<I16F16> = Sweep::along(&curve, I16F16::from_bits(step)).unwrap().collect();
+
+    let [from, to] = [ticks[K - 1], ticks[points.len()]];
+    prop_assert_eq!(sweep.len() as i64, to - from + 1);
+    let exact_knots: Vec<Ratio> = ticks.iter().map(|&tick| Ratio::whole(tick)).collect();
+    let exact_points: Vec<Ratio> =
+        points.iter().map(|point| Ratio::whole(point.to_bits().into())).collect();
+    for (got, tick) in sweep.iter().zip(from..) {
+        let exact = exact::curve(&exact_knots, K, &exact_points, &Ratio::whole(tick), 0);
+        prop_assert_eq!(i64::from(got.to_bits()), rounded(&exact), "tick {}", tick);
+    }
+    Ok(Some(()))
+}
+
 proptest! {
     #![proptest_config(super::curves::config())]
 
@@ -51,6 +85,66 @@ proptest! {
         check::<5>(&bits, ticks)?;
         check::<6>(&bits, ticks)?;
     }
+
+    #[test]
+    fn every_tick_along_a_curve_is_exact(
+        bits in prop::collection::vec(prop_oneof![any::<i32>(), -70_000..70_000], 8),
+        gaps in prop::collection::vec(prop_oneof![Just(0u32), Just(6), 5..9u32], 12),
+        ends in any::<[bool; 2]>(),
+        start in -1_000_000..1_000_000,
+        step in 1..10_000,
+    ) {
+        /// The curve may be clamped at each end.
+        fn clamped<const K: usize>(gaps: &[u32], ends: [bool; 2]) -> Vec<u32> {
+            let mut gaps = gaps.to_vec();
+            let last = gaps.len();
+            if ends[0] {
+                gaps[1..K].fill(0);
+            }
+            if ends[1] {
+                gaps[last + 1 - K..].fill(0);
+            }
+            gaps
+        }
+        check_along::<1>(&clamped::<1>(&gaps, ends), &bits, start, step)?;
+        check_along::<2>(&clamped::<2>(&gaps, ends), &bits, start, step)?;
+        check_along::<3>(&clamped::<3>(&gaps, ends), &bits, start, step)?;
+        check_along::<4>(&clamped::<4>(&gaps, ends), &bits, start, step)?;
+        // The common divisor of five uneven knot differences is too large.
+        let gaps: Vec<u32> = gaps.iter().map(|&gap| if gap > 0 { 6 } else { 0 }).collect();
+        check_along::<5>(&clamped::<5>(&gaps, ends), &bits, start, step)?;
+        check_along::<6>(&clamped::<6>(&gaps, ends), &bits, start, step)?;
+    }
+}
+
+/// A curve from 0 to 3, with its ends at its control points.
+fn clamped_cubic() -> Curve<I16F16, 4, 6, 10> {
+    let knots = Knots::<I16F16, 4, 10>::clamped_uniform(6, I16F16::ZERO, I16F16::from_num(3));
+    let points = [3, -1, 4, 1, -5, 9].map(I16F16::from_num);
+    Curve::<I16F16, 4, 6, 10>::new(knots.unwrap(), points).unwrap()
+}
+
+#[test]
+fn clamped_curves_with_many_ticks() {
+    let gaps = [0, 0, 0, 0, 128, 128, 128, 0, 0, 0];
+    assert_eq!(check_along::<4>(&gaps, &[i32::MAX, i32::MIN], 0, 512).unwrap(), Some(()));
+    let curve = clamped_cubic();
+    let path: Vec<_> = Sweep::along(&curve, I16F16::from_bits(512)).unwrap().collect();
+    assert_eq!([path[0], path[384]], [3, 9].map(I16F16::from_num));
+}
+
+#[test]
+fn steps_that_do_not_fit() {
+    let curve = clamped_cubic();
+    let error = |bits| Sweep::along(&curve, I16F16::from_bits(bits)).err();
+    assert_eq!(error(0), Some(SweepError::Step));
+    assert_eq!(error(-512), Some(SweepError::Step));
+    assert_eq!(error(511), Some(SweepError::Step));
+    // One tick, two, and 1024 to a span.
+    assert_eq!(error(65536), Some(SweepError::Ticks));
+    assert_eq!(error(32768), Some(SweepError::Ticks));
+    assert_eq!(error(64), Some(SweepError::Ticks));
+    assert_eq!(error(16384), None);
 }
 
 #[test]
