@@ -13,7 +13,8 @@ use crate::scalar::{FixedI32, Fraction};
 /// with whole coefficients: over uniform knots T ticks apart, (k−1)! T^(k−1) for the order k. So its
 /// differences are whole numbers, and a step is k − 1 additions. Each number is kept as a whole part and
 /// a remainder, which makes the result the exact value, rounded to nearest, without a division; no error
-/// adds up however long a sweep is. Differences are computed anew where a span begins.
+/// adds up however long a sweep is. Where a span begins, differences are computed anew, so that tick
+/// takes longer.
 ///
 /// ```
 /// use scancsg::{scalar::I16F16, spline::Sweep};

@@ -110,41 +110,43 @@ proptest! {
         check_along::<2>(&clamped::<2>(&gaps, ends), &bits, start, step)?;
         check_along::<3>(&clamped::<3>(&gaps, ends), &bits, start, step)?;
         check_along::<4>(&clamped::<4>(&gaps, ends), &bits, start, step)?;
-        // The common divisor of five uneven knot differences is too large.
+        // Over uneven knots, the divisor is too large for these orders.
         let gaps: Vec<u32> = gaps.iter().map(|&gap| if gap > 0 { 6 } else { 0 }).collect();
         check_along::<5>(&clamped::<5>(&gaps, ends), &bits, start, step)?;
         check_along::<6>(&clamped::<6>(&gaps, ends), &bits, start, step)?;
     }
 }
 
-/// A curve from 0 to 3, with its ends at its control points.
-fn clamped_cubic() -> Curve<I16F16, 4, 6, 10> {
-    let knots = Knots::<I16F16, 4, 10>::clamped_uniform(6, I16F16::ZERO, I16F16::from_num(3));
+/// A curve of three spans, with its ends at its control points.
+fn clamped_cubic(span: i32) -> Curve<I16F16, 4, 6, 10> {
+    let end = I16F16::from_bits(3 * span);
+    let knots = Knots::<I16F16, 4, 10>::clamped_uniform(6, I16F16::ZERO, end);
     let points = [3, -1, 4, 1, -5, 9].map(I16F16::from_num);
     Curve::<I16F16, 4, 6, 10>::new(knots.unwrap(), points).unwrap()
 }
 
 #[test]
 fn clamped_curves_with_many_ticks() {
-    let gaps = [0, 0, 0, 0, 128, 128, 128, 0, 0, 0];
-    assert_eq!(check_along::<4>(&gaps, &[i32::MAX, i32::MIN], 0, 512).unwrap(), Some(()));
-    let curve = clamped_cubic();
-    let path: Vec<_> = Sweep::along(&curve, I16F16::from_bits(512)).unwrap().collect();
-    assert_eq!([path[0], path[384]], [3, 9].map(I16F16::from_num));
+    let gaps = [0, 0, 0, 0, 563, 563, 563, 0, 0, 0];
+    assert_eq!(check_along::<4>(&gaps, &[i32::MAX, i32::MIN], -7, 100).unwrap(), Some(()));
+    let (step, curve) = (I16F16::from_bits(100), clamped_cubic(56_300));
+    let path: Vec<_> = Sweep::along(&curve, step).unwrap().collect();
+    assert_eq!([path[0], path[3 * 563]], [3, 9].map(I16F16::from_num));
+    assert_eq!(Sweep::along(&clamped_cubic(56_400), step).err(), Some(SweepError::Ticks));
 }
 
 #[test]
 fn steps_that_do_not_fit() {
-    let curve = clamped_cubic();
+    let curve = clamped_cubic(65_536);
     let error = |bits| Sweep::along(&curve, I16F16::from_bits(bits)).err();
     assert_eq!(error(0), Some(SweepError::Step));
     assert_eq!(error(-512), Some(SweepError::Step));
     assert_eq!(error(511), Some(SweepError::Step));
     // One tick, two, and 1024 to a span.
-    assert_eq!(error(65536), Some(SweepError::Ticks));
-    assert_eq!(error(32768), Some(SweepError::Ticks));
+    assert_eq!(error(65_536), Some(SweepError::Ticks));
+    assert_eq!(error(32_768), Some(SweepError::Ticks));
     assert_eq!(error(64), Some(SweepError::Ticks));
-    assert_eq!(error(16384), None);
+    assert_eq!(error(16_384), None);
 }
 
 #[test]
