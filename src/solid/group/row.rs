@@ -70,8 +70,13 @@ impl<R> GroupRow<[Member<R>]> {
         columns: u32,
     ) {
         self.clear();
-        for (index, (solid, view)) in solids.iter().zip(views).enumerate().rev() {
-            let Some(member) = self.members.get_mut(index) else { continue };
+        let count = self.members.len().min(solids.len()).min(views.len());
+        for index in (0..count).rev() {
+            let (Some(solid), Some(view), Some(member)) =
+                (solids.get(index), views.get(index), self.members.get_mut(index))
+            else {
+                break;
+            };
             solid.row(view, y, columns, &mut member.row);
             let outlook = T::outlook(&member.row, 0);
             self.await_first(index as u16, outlook);
