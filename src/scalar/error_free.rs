@@ -5,9 +5,13 @@
 
 use super::Float;
 #[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64"))))]
-pub(super) use super::fused::square_less as square_less_f32;
+pub(super) use super::fused::{
+    quick_square_less as quick_square_less_f32, square_less as square_less_f32,
+};
 #[cfg(all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64")))]
 pub(super) use super::hardware::{square_less as square_less_f32, two_product as two_product_f32};
+#[cfg(all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64")))]
+pub(super) use quick_square_less as quick_square_less_f32;
 #[cfg(not(any(
     target_pointer_width = "64",
     all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64"))
@@ -100,6 +104,12 @@ pub(super) fn two_product_wide(a: f32, b: f32) -> (f32, f32) {
 #[inline]
 pub(super) fn square_less_f64(x: f64, y: f64) -> f64 {
     f64::add_product(-y, x, x)
+}
+
+/// [`Float::square_less`], where it takes no longer in any case.
+#[inline]
+pub(super) fn quick_square_less<S: Float>(x: S, y: S) -> Option<S> {
+    Some(S::square_less(x, y))
 }
 
 /// `a·b − c·d` from error-free products, good to 2 units in the last place.

@@ -1,8 +1,8 @@
 //! [`Scalar`] for `f32` and `f64`.
 
 use super::error_free::{
-    dot3, product_difference, square_less_f32, square_less_f64, two_product, two_product_f32,
-    two_sum,
+    dot3, product_difference, quick_square_less, quick_square_less_f32, square_less_f32,
+    square_less_f64, two_product, two_product_f32, two_sum,
 };
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
 use super::hardware::sqrt as sqrt_f32;
@@ -24,6 +24,10 @@ pub trait Float: Real + Scalar<Unit = Self, Fine = Self, Factor = Self> {
     /// `x² − y` with one rounding, unless that is subnormal: the product is fused with the
     /// difference. In `f64` it comes from a sum with twice the precision.
     fn square_less(x: Self, y: Self) -> Self;
+
+    /// [`square_less`](Self::square_less), or `None`, rarely, where that takes longer: then whoever
+    /// asks may turn to a function for rare cases, and keeps nothing for afterwards.
+    fn quick_square_less(x: Self, y: Self) -> Option<Self>;
 }
 
 /// `x·y`, added up from the first coordinate on.
@@ -33,7 +37,7 @@ fn sum_of_products<S: Float, const N: usize>(x: [S; N], y: [S; N]) -> S {
 }
 
 macro_rules! float {
-    ($Float:ident, $Bits:ident, $reach:literal, $finest:literal, $two_product:path, $square_less:path, $sqrt:path, $sin_cos:path) => {
+    ($Float:ident, $Bits:ident, $reach:literal, $finest:literal, $two_product:path, $square_less:path, $quick_square_less:path, $sqrt:path, $sin_cos:path) => {
         impl Sealed for $Float {}
 
         impl Number for $Float {
@@ -159,6 +163,11 @@ macro_rules! float {
             #[inline]
             fn square_less(x: Self, y: Self) -> Self {
                 $square_less(x, y)
+            }
+
+            #[inline]
+            fn quick_square_less(x: Self, y: Self) -> Option<Self> {
+                $quick_square_less(x, y)
             }
         }
 
@@ -290,8 +299,28 @@ macro_rules! float {
     };
 }
 
-float!(f32, u32, 1e15, 1e-12, two_product_f32, square_less_f32, sqrt_f32, libm::sincosf);
-float!(f64, u64, 1e60, 1e-60, two_product, square_less_f64, libm::sqrt, libm::sincos);
+float!(
+    f32,
+    u32,
+    1e15,
+    1e-12,
+    two_product_f32,
+    square_less_f32,
+    quick_square_less_f32,
+    sqrt_f32,
+    libm::sincosf
+);
+float!(
+    f64,
+    u64,
+    1e60,
+    1e-60,
+    two_product,
+    square_less_f64,
+    quick_square_less,
+    libm::sqrt,
+    libm::sincos
+);
 
 #[cfg(test)]
 mod tests {

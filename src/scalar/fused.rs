@@ -1,19 +1,22 @@
 //! Fused products and sums of `f32`, with the bits of hardware's, by sums in `f64`.
 
-/// `a·b + c`, rounded once, unless the result is subnormal.
+/// `a·b − c`, rounded once, unless the result is subnormal; `None`, rarely, where that takes a closer
+/// look.
 #[inline]
-fn product_sum(a: f32, b: f32, c: f32) -> f32 {
-    let product = f64::from(a) * f64::from(b);
-    let sum = product + f64::from(c);
+fn product_less(a: f32, b: f32, c: f32) -> Option<f32> {
+    let difference = f64::from(a) * f64::from(b) - f64::from(c);
     // Rounding twice is rounding once, unless the first one ends half-way between two `f32`.
-    const BELOW: u64 = (1 << 29) - 1;
-    if sum.to_bits() & BELOW == 1 << 28 { fused_half_way(product, sum, c) } else { sum as f32 }
+    const BELOW: u32 = (1 << 29) - 1;
+    (difference.to_bits() as u32 & BELOW != 1 << 28).then_some(difference as f32)
 }
 
-/// [`product_sum`] where `sum` is half-way between two numbers: what it was rounded by decides.
+/// [`product_less`] where the difference is half-way between two numbers: what it was rounded by
+/// decides.
 #[cold]
-fn fused_half_way(product: f64, sum: f64, c: f32) -> f32 {
-    let c = f64::from(c);
+#[inline(never)]
+fn product_less_half_way(a: f32, b: f32, c: f32) -> f32 {
+    let (product, c) = (f64::from(a) * f64::from(b), f64::from(-c));
+    let sum = product + c;
     let rest = sum - product;
     let error = (product - (sum - rest)) + (c - rest);
     let nudged = if error == 0.0 {
@@ -29,13 +32,23 @@ fn fused_half_way(product: f64, sum: f64, c: f32) -> f32 {
 /// `x·x − y`.
 #[inline]
 pub(super) fn square_less(x: f32, y: f32) -> f32 {
-    product_sum(x, x, -y)
+    quick_square_less(x, y).unwrap_or_else(|| product_less_half_way(x, x, y))
+}
+
+/// `x·x − y`, or `None` where that takes longer.
+#[inline]
+pub(super) fn quick_square_less(x: f32, y: f32) -> Option<f32> {
+    product_less(x, x, y)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use proptest::prelude::*;
+
+    fn product_sum(a: f32, b: f32, c: f32) -> f32 {
+        product_less(a, b, -c).unwrap_or_else(|| product_less_half_way(a, b, -c))
+    }
 
     proptest! {
         #[test]

@@ -1,5 +1,5 @@
-//! Lines and cylinders along coordinate axes, in floating point: the quick way for ordinary lines, and
-//! the careful one for all others.
+//! Lines and cylinders along coordinate axes, in floating point: plain sums for ordinary lines, and
+//! careful ones for all others.
 //!
 //! Here q and m are two coordinates of u and d, turned by 90°.
 
@@ -9,22 +9,17 @@ use crate::scalar::{Double, Float, two_sum};
 use crate::solid::cylinder::{Cylinder, Tube};
 
 /// What plain sums say about a line and a cylinder along a coordinate axis.
+///
+/// Here u leads from the line's origin to the axis, so b is positive where the line comes nearer.
 pub(super) struct Aligned<S> {
-    q: [S; 2],
-    m: [S; 2],
-    a: S,
-    b: S,
-    k: S,
+    pub(super) q: [S; 2],
+    pub(super) m: [S; 2],
+    pub(super) a: S,
+    pub(super) b: S,
+    pub(super) k: S,
     /// How high the line is above the plane through the scene's origin at t = 0, and how it rises.
     pub(super) at_zero: S,
     pub(super) speed: S,
-}
-
-/// Where a line is inside the wall, if that is clear.
-pub(super) enum Clear<S> {
-    Beside,
-    Inside(Inside<S>),
-    Not,
 }
 
 impl<S: Float> Aligned<S> {
@@ -44,7 +39,7 @@ impl<S: Float> Aligned<S> {
 
     #[inline(always)]
     fn of(normal: S, height: S, rise: S, origin: [S; 2], m: [S; 2], base: [S; 2]) -> Self {
-        let q = [origin[0] - base[0], origin[1] - base[1]];
+        let q = [base[0] - origin[0], base[1] - origin[1]];
         Self {
             q,
             m,
@@ -56,50 +51,19 @@ impl<S: Float> Aligned<S> {
         }
     }
 
-    /// Where the line is inside the wall, if it doesn't come near a tangent.
-    ///
-    /// There, plain sums do for k and D. The error of k is that of |q||m|; outside of the wall, s is
-    /// about as large, and near the wall or inside, r√a is. D > k²/8 holds down the k/√D times as much
-    /// that reaches s. From c > r² on little cancels in c and b either; nearer, c is compensated, and
-    /// √D·s > r²a/2 holds the error of D, a few units of r²a, to a few units of s when it reaches s
-    /// divided by 2√D.
+    /// Whether the line clearly misses the wall: D is negative by several times what it can be wrong
+    /// by, k's error included.
     #[inline(always)]
-    pub(super) fn meet_clearly(&self, cylinder: &Cylinder<S>, line: &Line<S>) -> Clear<S> {
-        let radius = cylinder.tube.radius;
-        let Self { q, m, a, b, k, .. } = *self;
-        let radius_squared = radius * radius;
-        let (largest, square) = (radius_squared * a, k * k);
-        let discriminant = largest - square;
-        if discriminant * S::from_int(8) > square {
-            let c = S::square_less(q[0], radius_squared) + q[1] * q[1];
-            let half = discriminant.sqrt();
-            let is_precise = || half * (half + b.abs()) > largest * S::HALF;
-            let c = if c > radius_squared {
-                c
-            } else if b != S::ZERO && is_precise() {
-                gap(cylinder, &{ *line })
-            } else {
-                return Clear::Not;
-            };
-            return Clear::Inside(if b < S::ZERO {
-                let s = half - b;
-                (c / s, s / a)
-            } else {
-                let s = -half - b;
-                (s / a, c / s)
-            });
-        }
-        // Several times what D can be wrong by, k's error included.
-        let [q, m] = [q, m].map(|[x, y]| x.abs() + y.abs());
-        let error = (largest + k.abs() * (q * m)) * S::from_int(4) * S::EPSILON;
-        if discriminant < -error && a > S::EPSILON { Clear::Beside } else { Clear::Not }
+    pub(super) fn is_beside(&self, largest: S, discriminant: S) -> bool {
+        let [q, m] = [self.q, self.m].map(|[x, y]| x.abs() + y.abs());
+        let error = (largest + self.k.abs() * (q * m)) * S::from_int(4) * S::EPSILON;
+        discriminant < -error && self.a > S::EPSILON
     }
 }
 
 /// c = |q|² − r², compensated.
-#[cold]
-#[inline(never)]
-fn gap<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> S {
+#[inline(always)]
+pub(super) fn gap<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> S {
     let Cylinder { tube, caps } = cylinder;
     // Not asked for along other axes than those of coordinates.
     let Some(axis) = caps.normal.along() else { return S::ZERO };

@@ -9,13 +9,14 @@
 //! The axis is never normalised away, and `|d × axis|²` is never 1 − d²: a line along the axis
 //! gives m = 0 exactly.
 
-use super::aligned::{Aligned, Clear, across};
+use super::aligned::across;
+use super::ends::cut;
 use super::{Intersect, Passage};
 use crate::geom::{Line, Vec3};
 use crate::scalar::Float;
-use crate::solid::cylinder::{Cylinder, Tube, WALL};
+use crate::solid::cylinder::{Cylinder, Tube};
 use crate::solid::slab::Slab;
-use crate::span::{Crossing, Span};
+use crate::span::Span;
 
 /// Where a line is inside the wall: from the first parameter to the second one, which are the same
 /// for a tangent. For a line beside the wall, the first one is larger.
@@ -31,39 +32,9 @@ impl<S: Float> Tube<S> {
     }
 }
 
-/// What the line has in the cylinder.
-// Always: the answer is handed on in registers, and so is the line, of which functions for rare lines
-// get a copy. Written to memory in pieces and read as a whole, it would wait for the writes.
-#[inline(always)]
-fn cut<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> Option<Span<S>> {
-    let caps = &cylinder.caps;
-    let ((at_zero, speed), clear) = match Aligned::new(cylinder, line) {
-        Some(aligned) => ((aligned.at_zero, aligned.speed), aligned.meet_clearly(cylinder, line)),
-        None => (heights(cylinder, &{ *line }), Clear::Not),
-    };
-    let inside = match clear {
-        Clear::Beside => return None,
-        Clear::Inside(inside) => inside,
-        Clear::Not => meet(cylinder, &{ *line }),
-    };
-    // Of a line along the planes these are infinite, or 0/0: then that is looked into last, because
-    // it is rare.
-    let at = S::quotients([caps.low - at_zero, caps.high - at_zero], speed);
-    let passage = Passage::Across { at, upwards: speed > S::ZERO };
-    let (enter, exit) = passage.ends()?.common_ends(wall(inside));
-    if enter.t < exit.t {
-        Some(Span { enter, exit })
-    } else if speed == S::ZERO {
-        caps.passage(at_zero, speed).ends()?.overlap(wall(inside))
-    } else {
-        None
-    }
-}
-
 /// How high a line is above the plane through the scene's origin at t = 0, and how it rises.
-#[cold]
-#[inline(never)]
-fn heights<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> (S, S) {
+#[inline]
+pub(super) fn heights<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> (S, S) {
     let normal = &cylinder.caps.normal;
     (normal.dot(line.origin), normal.dot(line.direction))
 }
@@ -71,20 +42,12 @@ fn heights<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> (S, S) {
 /// Where a line is inside the wall, wherever it starts and however near to a tangent it is.
 #[cold]
 #[inline(never)]
-fn meet<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> Inside<S> {
+pub(super) fn meet<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> Inside<S> {
     let Cylinder { tube, caps } = cylinder;
     let Some(axis) = caps.normal.along() else { return tube.meet_obliquely(&caps.normal, line) };
     let [[o0, o1], [base0, base1], [m0, m1]] =
         [&line.origin, &tube.base, &line.direction].map(|v| across(axis, v));
     tube.meet_carefully([*o0, *o1], [*base0, *base1], [*m0, *m1])
-}
-
-/// Where the wall is crossed; a tangent too, which has no span, and whose part between the caps has
-/// none either.
-#[inline]
-fn wall<S: Float>((enter, exit): Inside<S>) -> Span<S> {
-    let [enter, exit] = [enter, exit].map(|t| Crossing { t, face: WALL });
-    Span { enter, exit }
 }
 
 /// Where the line is within `radius` of `center`, from `|u + t·d|² = r²` with the discriminant
@@ -142,6 +105,7 @@ intersect!(f32, f64);
 #[cfg(test)]
 mod tests {
     use crate::geom::{Ray, vec3};
+    use crate::scalar::Float;
     use crate::solid::{Cylinder, Solid};
     use crate::span::SpanList;
     use proptest::prelude::*;
@@ -178,6 +142,28 @@ mod tests {
             for (got, want) in got.iter().flatten().zip(want.iter().flatten()) {
                 let ulp = f64::from((*want as f32).abs().next_up()) - f64::from((*want as f32).abs());
                 prop_assert!((f64::from(*got) - want).abs() < 6.0 * ulp, "{got} not {want}");
+            }
+        }
+    }
+
+    /// Where `f64` shows the difference in c half-way between two `f32`, it's rounded in another way.
+    #[test]
+    fn half_way_between_two_numbers_as_well() {
+        let (y, r) = (1.0 + 2f32.powi(-12), 2f32.powi(-7));
+        assert_eq!(f32::quick_square_less(y, r * r), None);
+        for (z, tilt) in [(0.0, 0.25), (0.5, 0.0), (-3.0, 0.125)] {
+            for side in [y, -y] {
+                // At the axis, past it by half of the radius, and away from it.
+                for aim in [[-side, -z], [-side, r / 2.0 - z], [side, z]] {
+                    let (o, d) = ([0.0, side, z], [tilt, aim[0], aim[1]]);
+                    let got = spans!(f32, o, d, [0.0, 0.0, r]);
+                    let want = spans!(f64, o, d, [0.0, 0.0, r]);
+                    assert_eq!((got.len(), want.len()), (1, 1), "{o:?} {d:?}");
+                    for (got, want) in got.iter().flatten().zip(want.iter().flatten()) {
+                        let error = (f64::from(*got) - want).abs() / want.abs();
+                        assert!(error < 4.0 * f64::from(f32::EPSILON), "{got} not {want}");
+                    }
+                }
             }
         }
     }

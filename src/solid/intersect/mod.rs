@@ -8,6 +8,7 @@
 
 mod aligned;
 mod compensated;
+mod ends;
 mod exact;
 mod oblique;
 mod quadratic;
