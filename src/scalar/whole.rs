@@ -226,7 +226,7 @@ const fn reciprocal_by_halves(mantissa: u32) -> u32 {
     quotient
 }
 
-/// The same for cores that divide in software: less than half of the library's instructions.
+/// The same for cores that divide in software: a little less than the library's quotient of 64 bits.
 const fn reciprocal_by_digits(mantissa: u32) -> u32 {
     // The upper half of 2^63 − 1 is below the mantissa, and all digits of the lower one are 1.
     let (mut rest, mut quotient, mut digits) = ((1u32 << 31) - 1, 0u32, 0);
