@@ -196,7 +196,7 @@ pub(crate) const fn reciprocal(mantissa: u32) -> u32 {
     if mantissa == 0 {
         u32::MAX
     } else if IS_NARROW {
-        reciprocal_by_digits(mantissa)
+        reciprocal_by_steps(mantissa)
     } else if cfg!(target_pointer_width = "64") {
         // 2^63 − 1, so that the reciprocal of 2³¹ fits.
         (((1u64 << 63) - 1) / mantissa as u64) as u32
@@ -226,19 +226,33 @@ const fn reciprocal_by_halves(mantissa: u32) -> u32 {
     quotient
 }
 
-/// The same for cores that divide in software: a little less than the library's quotient of 64 bits.
-const fn reciprocal_by_digits(mantissa: u32) -> u32 {
-    // The upper half of 2^63 − 1 is below the mantissa, and all digits of the lower one are 1.
-    let (mut rest, mut quotient, mut digits) = ((1u32 << 31) - 1, 0u32, 0);
-    while digits < 32 {
-        let is_long = rest >> 31 == 1;
-        rest = rest << 1 | 1;
-        quotient <<= 1;
-        if is_long || rest >= mantissa {
-            rest = rest.wrapping_sub(mantissa);
-            quotient |= 1;
-        }
-        digits += 1;
+/// The same for cores that divide in software.
+///
+/// The table's reciprocal root, squared, has 7 digits; a step of third order makes 18 of them, and one
+/// of Newton's all but the last: for no mantissa the quotient is off by more than one then.
+const fn reciprocal_by_steps(mantissa: u32) -> u32 {
+    // With a = mantissa / 2³²: 2¹⁶/a, and by how much a times that is short of one, in 32 digits.
+    let root = SEEDS[(mantissa >> 24) as usize] as u32 + 256;
+    let seed = root * root;
+    let product =
+        (mantissa >> 16).wrapping_mul(seed).wrapping_add(((mantissa >> 2 & 0x3fff) * seed) >> 14);
+    let short = product.wrapping_neg().cast_signed();
+    let short = short + (((short >> 11) * (short >> 11)) >> 10);
+    // 2³⁰/a
+    let half = (seed << 14).saturating_add_signed(((short >> 13) * seed.cast_signed()) >> 5);
+    let rest = (1u64 << 62).wrapping_sub(unsigned_product(mantissa, half)).cast_signed();
+    let step = (((rest >> 28) as i32) * (half >> 16).cast_signed()) >> 17;
+
+    let mut quotient = half.saturating_mul(2).saturating_add_signed(step);
+    let whole = (1u64 << 63) - 1;
+    let mut rest = whole.wrapping_sub(unsigned_product(mantissa, quotient)).cast_signed();
+    while rest < 0 {
+        rest += mantissa as i64;
+        quotient -= 1;
+    }
+    while rest >= mantissa as i64 {
+        rest -= mantissa as i64;
+        quotient += 1;
     }
     quotient
 }
@@ -313,7 +327,7 @@ mod tests {
                 let want = ((1u64 << 63) - 1) / u64::from(mantissa);
                 prop_assert_eq!(u64::from(reciprocal(mantissa)), want);
                 prop_assert_eq!(u64::from(reciprocal_by_halves(mantissa)), want);
-                prop_assert_eq!(u64::from(reciprocal_by_digits(mantissa)), want);
+                prop_assert_eq!(u64::from(reciprocal_by_steps(mantissa)), want);
             }
         }
 
