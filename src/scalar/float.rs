@@ -272,7 +272,8 @@ macro_rules! float {
 
             #[inline]
             fn with_length(vector: [Self; 3], length: Self) -> [Self; 3] {
-                let factor = length / Self::length(vector);
+                // A point that is moved onto a surface is as near as this square is exact.
+                let factor = length / Real::sqrt(dot3(vector, vector));
                 vector.map(|coordinate| coordinate * factor)
             }
 
