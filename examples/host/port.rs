@@ -163,6 +163,9 @@ impl Write for Wire {
             let left = usize::try_from(limit - self.written.min(limit)).unwrap_or(usize::MAX);
             piece.truncate(left);
             if piece.is_empty() && !bytes.is_empty() {
+                // What is on the line arrives, though a pseudo-terminal that closes may throw away what
+                // nobody has read yet.
+                thread::sleep(5 * READ_TIMEOUT);
                 return Err(ErrorKind::BrokenPipe.into());
             }
         }
