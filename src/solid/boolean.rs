@@ -179,6 +179,11 @@ impl<P, O: Rule, L: Project<P>, R: Project<P, Scalar = L::Scalar>> Project<P> fo
         self.right.view(rays, right);
     }
 
+    fn is_in_rows(&self, (left, right): &Self::View, rows: [i32; 2]) -> bool {
+        let (left, right) = (self.left.is_in_rows(left, rows), self.right.is_in_rows(right, rows));
+        O::OPERATION.may_hold(left, right)
+    }
+
     fn row(&self, (left, right): &Self::View, y: i32, columns: u32, row: &mut Self::Row) {
         self.left.row(left, y, columns, &mut row.left);
         self.right.row(right, y, columns, &mut row.right);

@@ -69,6 +69,12 @@ pub trait Project<R>: Shape {
     /// Gets ready for all rows of a picture.
     fn view(&self, rays: &R, view: &mut Self::View);
 
+    /// Whether the solid can be seen in any row from the first to the last of two, as far as little work
+    /// tells.
+    fn is_in_rows(&self, _: &Self::View, _rows: [i32; 2]) -> bool {
+        true
+    }
+
     /// Gets ready for all columns, so many, of the row `y` half pixels below the middle of the
     /// picture.
     fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row);
@@ -151,9 +157,9 @@ pub trait Leaf<R>: Shape {
     /// What the camera decides.
     fn seen_along(&self, rays: &R) -> Self::View;
 
-    /// Whether the primitive can be seen in a row, as far as little work tells.
+    /// As [`Project::is_in_rows`].
     #[inline]
-    fn is_in_row(&self, _: &Self::View, _y: i32) -> bool {
+    fn is_in_rows(&self, _: &Self::View, _rows: [i32; 2]) -> bool {
         true
     }
 
@@ -321,8 +327,13 @@ macro_rules! leaf {
                 *view = $crate::solid::row::Leaf::seen_along(self, rays);
             }
 
+            #[inline]
+            fn is_in_rows(&self, view: &Self::View, rows: [i32; 2]) -> bool {
+                $crate::solid::row::Leaf::is_in_rows(self, view, rows)
+            }
+
             fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) {
-                if $crate::solid::row::Leaf::is_in_row(self, view, y) {
+                if $crate::solid::row::Leaf::is_in_rows(self, view, [y; 2]) {
                     row.set($crate::solid::row::Leaf::in_row(self, view, y, columns));
                 } else {
                     row.skip();
@@ -401,6 +412,10 @@ macro_rules! project_as_within {
         fn view(&self, $rays: &$Rays, view: &mut Self::View) {
             let $around = self;
             self.$field.view($own, view);
+        }
+
+        fn is_in_rows(&self, view: &Self::View, rows: [i32; 2]) -> bool {
+            self.$field.is_in_rows(view, rows)
         }
 
         fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) {

@@ -155,9 +155,9 @@ impl<S: Scalar> PencilBall<S> {
         ]
     }
 
-    /// Whether a row can meet the ball.
-    pub(super) fn is_in_row(&self, y: i32) -> bool {
-        self.rows.contains(y)
+    /// Whether any of these rows can meet the ball.
+    pub(super) fn is_in_rows(&self, rows: [i32; 2]) -> bool {
+        self.rows.meet(rows)
     }
 
     pub(super) fn extent(&self, y: i32, columns: u32) -> Extent {

@@ -96,11 +96,12 @@ impl Rows {
         Self { first: pixels(first), last: pixels(last) }
     }
 
-    /// Whether the row `y` half pixels below the middle is among them.
-    pub(super) fn contains(self, y: i32) -> bool {
-        let row = y >> 1;
+    /// Whether any row from the first to the last of two is among them, in half pixels below the middle.
+    #[inline]
+    pub(super) fn meet(self, rows: [i32; 2]) -> bool {
+        let [first, last] = rows.map(|y| y >> 1);
         // Both together: one branch is predicted more often than two.
-        (i32::from(self.first) <= row) & (row <= i32::from(self.last))
+        (i32::from(self.first) <= last) & (first <= i32::from(self.last))
     }
 }
 

@@ -91,7 +91,8 @@ where
     let mut walker = Walker { solid, view: T::View::BLANK, row: T::Row::BLANK, columns };
     solid.view(rays, &mut walker.view);
     let mut crossings = 0;
-    for y in 0..height {
+    // In order, and in another one.
+    for y in (0..height).chain((0..height).rev().step_by(3)) {
         let y = from_middle(y.into(), height.into());
         solid.row(&walker.view, y, columns, &mut walker.row);
         crossings += walker.check_row()?;

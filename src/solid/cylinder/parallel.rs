@@ -55,8 +55,8 @@ impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
     }
 
     #[inline]
-    fn is_in_row(&self, view: &ParallelView<S>, y: i32) -> bool {
-        view.rows.contains(y)
+    fn is_in_rows(&self, view: &ParallelView<S>, rows: [i32; 2]) -> bool {
+        view.rows.meet(rows)
     }
 
     #[inline(never)]

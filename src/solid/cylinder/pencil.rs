@@ -45,8 +45,8 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
     }
 
     #[inline]
-    fn is_in_row(&self, view: &Self::View, y: i32) -> bool {
-        view.as_ref().is_some_and(|view| view.ball.is_in_row(y))
+    fn is_in_rows(&self, view: &Self::View, rows: [i32; 2]) -> bool {
+        view.as_ref().is_some_and(|view| view.ball.is_in_rows(rows))
     }
 
     #[inline(never)]

@@ -17,6 +17,9 @@ pub struct GroupRow<M: ?Sized> {
     first: u16,
     /// The first of the others that later columns can, in the order of these columns.
     coming: u16,
+    /// The block of rows that was asked for last, 0 for none, and how many elements can be seen there.
+    block: u16,
+    near: u16,
     members: M,
 }
 
@@ -27,17 +30,25 @@ pub struct Member<R> {
     row: R,
     until: u16,
     next: u16,
+    /// Not of this element, but of a list of those that may be seen in the block of rows: an index.
+    near: u16,
 }
+
+/// So many rows make a block, as a power of two.
+const ROWS: u32 = 3;
+/// The number of the block below the middle of the picture.
+const MIDDLE: i32 = 1 << 14;
 
 /// No element has this index.
 const NONE: u16 = u16::MAX;
 
 impl<R: Blank> Blank for Member<R> {
-    const BLANK: Self = Self { row: R::BLANK, until: 0, next: 0 };
+    const BLANK: Self = Self { row: R::BLANK, until: 0, next: 0, near: 0 };
 }
 
 impl<R: Blank, const N: usize> Blank for GroupRow<[Member<R>; N]> {
-    const BLANK: Self = Self { run: [0; 2], first: 0, coming: 0, members: [Member::BLANK; N] };
+    const BLANK: Self =
+        Self { run: [0; 2], first: 0, coming: 0, block: 0, near: 0, members: [Member::BLANK; N] };
 }
 
 impl<R, const N: usize> GroupRow<[Member<R>; N]> {
@@ -70,24 +81,52 @@ impl<R> GroupRow<[Member<R>]> {
         columns: u32,
     ) {
         self.clear();
-        let count = self.members.len().min(solids.len()).min(views.len());
-        for index in (0..count).rev() {
-            let (Some(solid), Some(view), Some(member)) =
-                (solids.get(index), views.get(index), self.members.get_mut(index))
-            else {
+        let block = y >> (ROWS + 1); // of half pixels
+        let number = (MIDDLE + block) as u16;
+        let is_new = self.block != number;
+        let all = self.members.len().min(solids.len()).min(views.len());
+        let count = if is_new { all } else { self.near.into() };
+        if is_new {
+            (self.block, self.near) = (number, 0);
+        }
+        let rows = [block << (ROWS + 1), (block << (ROWS + 1)) + (2 << ROWS) - 1];
+        for place in 0..count {
+            let index = match self.members.get(place) {
+                Some(member) if !is_new => member.near,
+                _ => (count - 1 - place) as u16,
+            };
+            let element = usize::from(index);
+            let (Some(solid), Some(view)) = (solids.get(element), views.get(element)) else {
                 break;
             };
+            if is_new
+                && solid.is_in_rows(view, rows)
+                && let Some(member) = self.members.get_mut(usize::from(self.near))
+            {
+                member.near = index;
+                self.near += 1;
+            }
+            // Others of a new block show nothing, and will in no other row of it.
+            let Some(member) = self.members.get_mut(element) else { break };
             solid.row(view, y, columns, &mut member.row);
             let outlook = T::outlook(&member.row, 0);
-            self.await_first(index as u16, outlook);
+            self.await_first(index, outlook);
         }
+    }
+
+    /// An element that may be seen in the block of rows, and its index, which descend: so that columns
+    /// mostly do, too.
+    #[inline]
+    fn near(&self, place: usize) -> Option<(u16, &R)> {
+        let index = self.members.get(place)?.near;
+        Some((index, &self.members.get(usize::from(index))?.row))
     }
 
     #[inline(never)]
     pub(in crate::solid) fn outlook<P, T: Project<P, Row = R>>(&self, column: u32) -> Outlook {
         let mut all = Outlook::EMPTY;
-        for member in &self.members {
-            let one = T::outlook(&member.row, column);
+        for (_, row) in (0..self.near.into()).map_while(|place| self.near(place)) {
+            let one = T::outlook(row, column);
             all.is_there |= one.is_there;
             all.until = all.until.min(one.until);
         }
@@ -117,9 +156,9 @@ impl<R> GroupRow<[Member<R>]> {
     #[cold]
     fn go_back<P, T: Project<P, Row = R>>(&mut self) {
         self.clear();
-        for index in (0..self.members.len()).rev() {
-            if let Some(member) = self.members.get(index) {
-                self.await_first(index as u16, T::outlook(&member.row, 0));
+        for place in 0..self.near.into() {
+            if let Some((index, row)) = self.near(place) {
+                self.await_first(index, T::outlook(row, 0));
             }
         }
     }
