@@ -96,8 +96,9 @@ impl<R: Rays<Scalar = T::Scalar>, T: Convex> Leaf<R> for T {
         Some(*rays)
     }
 
-    fn in_row(&self, rays: &Self::View, y: i32, columns: u32) -> (Self::Row, Extent) {
-        (rays.as_ref().map(|rays| rays.row(y)), Extent::all(columns))
+    fn in_row(&self, rays: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
+        *row = rays.as_ref().map(|rays| rays.row(y));
+        Extent::all(columns)
     }
 
     fn span(&self, _: &Self::View, row: &Self::Row, x: i32) -> Option<Span<T::Scalar>> {

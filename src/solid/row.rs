@@ -163,8 +163,8 @@ pub trait Leaf<R>: Shape {
         true
     }
 
-    /// What such a row decides, and the columns in which the primitive can be seen.
-    fn in_row(&self, view: &Self::View, y: i32, columns: u32) -> (Self::Row, Extent);
+    /// Sets what such a row decides, and returns the columns in which the primitive can be seen.
+    fn in_row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent;
 
     /// The span of the ray `x` half pixels to the right of the middle, if there is one.
     fn span(&self, view: &Self::View, row: &Self::Row, x: i32) -> Option<Span<Self::Scalar>>;
@@ -209,9 +209,9 @@ impl<S: Scalar, D> LeafRow<S, D> {
 
     /// Another row.
     #[inline]
-    pub(super) fn set(&mut self, (row, extent): (D, Extent)) {
+    pub(super) fn set(&mut self, fill: impl FnOnce(&mut D) -> Extent) {
         let column = |index: u32| u16::try_from(index).unwrap_or(u16::MAX);
-        self.row = row;
+        let extent = fill(&mut self.row);
         self.extent = [column(extent.start), column(extent.end)];
         self.x = NO_RAY;
     }
@@ -334,7 +334,7 @@ macro_rules! leaf {
 
             fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) {
                 if $crate::solid::row::Leaf::is_in_rows(self, view, [y; 2]) {
-                    row.set($crate::solid::row::Leaf::in_row(self, view, y, columns));
+                    row.set(|row| $crate::solid::row::Leaf::in_row(self, view, y, columns, row));
                 } else {
                     row.skip();
                 }

@@ -114,15 +114,14 @@ impl<S: Scalar> Leaf<Parallel<S>> for Sphere<S> {
         })
     }
 
-    fn in_row(&self, view: &Self::View, y: i32, columns: u32) -> (Self::Row, Extent) {
-        let row = view.as_ref().and_then(|view| {
-            let across = S::from_fine(view.across.after_steps(view.pitch, y));
-            let radius = S::leg(self.radius, across)?;
-            Some((view, ParallelRow { radius }))
-        });
-        let Some((view, row)) = row else { return (None, Extent::EMPTY) };
+    fn in_row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
+        *row = None;
+        let Some(view) = view else { return Extent::EMPTY };
+        let across = S::from_fine(view.across.after_steps(view.pitch, y));
+        let Some(radius) = S::leg(self.radius, across) else { return Extent::EMPTY };
+        *row = Some(ParallelRow { radius });
         let along = Affine { middle: view.along, step: view.pitch };
-        (Some(row), Steps::within::<S>(along, row.radius.fine()).columns(columns))
+        Steps::within::<S>(along, radius.fine()).columns(columns)
     }
 
     #[inline]
@@ -165,14 +164,15 @@ impl<S: Scalar> Leaf<Pencil<S>> for Sphere<S> {
         view.as_ref().is_some_and(|view| view.is_in_rows(rows))
     }
 
-    fn in_row(&self, view: &Self::View, y: i32, columns: u32) -> (Self::Row, Extent) {
-        let Some(view) = view else { return (None, Extent::EMPTY) };
-        let row = PencilRow {
+    fn in_row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
+        *row = None;
+        let Some(view) = view else { return Extent::EMPTY };
+        *row = Some(PencilRow {
             moment: view.moment(y),
             from_center: view.position(y),
             direction: view.direction(y),
-        };
-        (Some(row), view.extent(y, columns))
+        });
+        view.extent(y, columns)
     }
 
     #[inline]

@@ -60,28 +60,38 @@ impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
     }
 
     #[inline(never)]
-    fn in_row(&self, view: &ParallelView<S>, y: i32, columns: u32) -> (ParallelRow<S>, Extent) {
+    fn in_row(
+        &self,
+        view: &ParallelView<S>,
+        y: i32,
+        columns: u32,
+        row: &mut ParallelRow<S>,
+    ) -> Extent {
         let [first, second] = [view.first, view.second].map(|of| Affine::row(of, y));
         let beside = |length| Steps::within::<S>(length, self.tube.radius.fine());
         let within_wall = beside(first);
+        (row.first, row.second) = (first.middle, second.middle);
+        row.kind = Kind::Nowhere;
         if within_wall.are_beside(columns) {
-            return (ParallelRow::BLANK, Extent::EMPTY);
+            return Extent::EMPTY;
         }
-        let (kind, steps) = match (view.is_along, self.caps.parallel_row(&view.caps, y, columns)) {
+        let steps = match (view.is_along, self.caps.parallel_row(&view.caps, y, columns)) {
             (false, slab::ParallelRow::Across(caps)) => {
-                let steps = caps.steps(&view.caps, second, view.reach, columns);
-                (Kind::Across(caps), steps)
+                row.kind = Kind::Across(caps);
+                caps.steps(&view.caps, second, view.reach, columns)
             }
             (false, slab::ParallelRow::EdgeOn(caps)) => {
-                let steps = self.caps.edge_on_steps(&caps);
-                (Kind::EdgeOn(caps), steps)
+                row.kind = Kind::EdgeOn(caps);
+                self.caps.edge_on_steps(&caps)
             }
-            (true, slab::ParallelRow::Across(caps)) => (Kind::Along(caps), beside(second)),
+            (true, slab::ParallelRow::Across(caps)) => {
+                row.kind = Kind::Along(caps);
+                beside(second)
+            }
             // Who looks along the axis doesn't look along the caps.
-            _ => (Kind::Nowhere, Steps::NONE),
+            _ => Steps::NONE,
         };
-        let row = ParallelRow { first: first.middle, second: second.middle, kind };
-        (row, steps.overlap(within_wall).columns(columns))
+        steps.overlap(within_wall).columns(columns)
     }
 
     fn span(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32) -> Option<Span<S>> {

@@ -50,8 +50,9 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
     }
 
     #[inline(never)]
-    fn in_row(&self, view: &Self::View, y: i32, columns: u32) -> (Self::Row, Extent) {
-        let Some(view) = view else { return (None, Extent::EMPTY) };
+    fn in_row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
+        *row = None;
+        let Some(view) = view else { return Extent::EMPTY };
         let [[q0, q1], [right0, right1], [down0, down1]] = view.moment;
         let [m0, m1] = view.turn;
         let axis = |q, m, right, down| {
@@ -70,8 +71,8 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
         let wide = [m0.times(radius), m1.times(radius), constant(view.blur)];
         let silhouette = extent(&wide, &[reach], columns);
         let caps = slab::PencilRow::new(&view.caps, y);
-        let row = PencilRow { moment: [q0, q1], turn: [m0, m1], reach, caps };
-        (Some(row), silhouette.overlap(view.ball.extent(y, columns)))
+        *row = Some(PencilRow { moment: [q0, q1], turn: [m0, m1], reach, caps });
+        silhouette.overlap(view.ball.extent(y, columns))
     }
 
     fn span(&self, view: &Self::View, row: &Self::Row, x: i32) -> Option<Span<S>> {

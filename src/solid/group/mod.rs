@@ -39,21 +39,19 @@ fn element<T: Shape, const N: usize>(group: &[T; N], face: Face) -> Option<(&T, 
     Some((group.get(usize::from(index))?, Face(face.0 % T::FACES)))
 }
 
-/// Unites the spans that `push` gives for each of `count` elements.
+/// Unites the spans that `push` gives for each of some elements, in ascending order.
 pub(super) fn unite<S: Scalar>(
-    count: usize,
+    indices: impl Iterator<Item = u16>,
     faces: u16,
     first: Face,
     stack: &mut SpanStack<'_, S>,
     mut push: impl FnMut(usize, Face, &mut SpanStack<'_, S>),
 ) {
     let left = stack.len();
-    let mut face = first;
-    for index in 0..count {
+    for index in indices {
         let right = stack.len();
-        push(index, face, stack);
+        push(index.into(), first.offset(index * faces), stack);
         stack.merge(Operation::UNION, left, right);
-        face = face.offset(faces);
     }
 }
 
@@ -64,7 +62,7 @@ impl<T: Solid, const N: usize> Solid for [T; N] {
         first: Face,
         stack: &mut SpanStack<'_, Self::Scalar>,
     ) {
-        unite(N, T::FACES, first, stack, |index, face, stack| {
+        unite(0..N as u16, T::FACES, first, stack, |index, face, stack| {
             if let Some(solid) = self.get(index) {
                 solid.spans(line, face, stack);
             }

@@ -83,34 +83,42 @@ impl<R> GroupRow<[Member<R>]> {
         self.clear();
         let block = y >> (ROWS + 1); // of half pixels
         let number = (MIDDLE + block) as u16;
-        let is_new = self.block != number;
-        let all = self.members.len().min(solids.len()).min(views.len());
-        let count = if is_new { all } else { self.near.into() };
-        if is_new {
-            (self.block, self.near) = (number, 0);
+        if self.block != number {
+            self.block = number;
+            self.look_around::<P, T>(solids, views, block);
         }
-        let rows = [block << (ROWS + 1), (block << (ROWS + 1)) + (2 << ROWS) - 1];
-        for place in 0..count {
-            let index = match self.members.get(place) {
-                Some(member) if !is_new => member.near,
-                _ => (count - 1 - place) as u16,
-            };
+        for place in 0..self.near.into() {
+            let Some(index) = self.members.get(place).map(|member| member.near) else { break };
             let element = usize::from(index);
-            let (Some(solid), Some(view)) = (solids.get(element), views.get(element)) else {
+            let (Some(solid), Some(view), Some(member)) =
+                (solids.get(element), views.get(element), self.members.get_mut(element))
+            else {
                 break;
             };
-            if is_new
-                && solid.is_in_rows(view, rows)
-                && let Some(member) = self.members.get_mut(usize::from(self.near))
-            {
-                member.near = index;
-                self.near += 1;
-            }
-            // Others of a new block show nothing, and will in no other row of it.
-            let Some(member) = self.members.get_mut(element) else { break };
             solid.row(view, y, columns, &mut member.row);
             let outlook = T::outlook(&member.row, 0);
             self.await_first(index, outlook);
+        }
+    }
+
+    /// Lists the elements that may be seen in a block of rows.
+    #[inline(never)] // seldom
+    fn look_around<P, T: Project<P, Row = R>>(
+        &mut self,
+        solids: &[T],
+        views: &[T::View],
+        block: i32,
+    ) {
+        let first = block << (ROWS + 1);
+        let rows = [first, first + (2 << ROWS) - 1];
+        self.near = 0;
+        for (index, (solid, view)) in solids.iter().zip(views).enumerate().rev() {
+            if solid.is_in_rows(view, rows)
+                && let Some(member) = self.members.get_mut(usize::from(self.near))
+            {
+                member.near = index as u16;
+                self.near += 1;
+            }
         }
     }
 
@@ -265,7 +273,9 @@ impl<R> GroupRow<[Member<R>]> {
         first: Face,
         stack: &mut SpanStack<'_, T::Scalar>,
     ) {
-        unite(solids.len(), T::FACES, first, stack, |index, face, stack| {
+        let ascending = (0..usize::from(self.near)).rev();
+        let near = ascending.filter_map(|place| Some(self.members.get(place)?.near));
+        unite(near, T::FACES, first, stack, |index, face, stack| {
             if let (Some(solid), Some(view), Some(member)) =
                 (solids.get(index), views.get(index), self.members.get(index))
             {

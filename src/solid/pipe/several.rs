@@ -71,7 +71,7 @@ impl<T: Solid, const N: usize> Solid for Several<T, N> {
         first: Face,
         stack: &mut SpanStack<'_, Self::Scalar>,
     ) {
-        unite(self.count, T::FACES, first, stack, |index, face, stack| {
+        unite(0..self.count as u16, T::FACES, first, stack, |index, face, stack| {
             if let Some(solid) = self.items.get(index) {
                 solid.spans(line, face, stack);
             }

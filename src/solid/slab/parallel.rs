@@ -20,13 +20,18 @@ impl<S: Scalar> Leaf<Parallel<S>> for Slab<S> {
         ParallelView { height: [middle, down], inverse, step }
     }
 
-    fn in_row(&self, view: &ParallelView<S>, y: i32, columns: u32) -> (ParallelRow<S>, Extent) {
-        let row = self.parallel_row(view, y, columns);
-        let extent = match &row {
+    fn in_row(
+        &self,
+        view: &ParallelView<S>,
+        y: i32,
+        columns: u32,
+        row: &mut ParallelRow<S>,
+    ) -> Extent {
+        *row = self.parallel_row(view, y, columns);
+        match row {
             ParallelRow::EdgeOn(row) => self.edge_on_steps(row).columns(columns),
             _ => Extent::all(columns),
-        };
-        (row, extent)
+        }
     }
 
     #[inline]

@@ -15,8 +15,9 @@ impl<S: Scalar> Leaf<Pencil<S>> for Slab<S> {
         Some(PencilView::new(&self.normal, rays))
     }
 
-    fn in_row(&self, view: &Self::View, y: i32, columns: u32) -> (Self::Row, Extent) {
-        (view.as_ref().map(|view| PencilRow::new(view, y)), Extent::all(columns))
+    fn in_row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
+        *row = view.as_ref().map(|view| PencilRow::new(view, y));
+        Extent::all(columns)
     }
 
     #[inline]
