@@ -7,8 +7,8 @@
 //! nothing.
 //!
 //! The local parameter y is a power of two times t, counted from the middle of the span, or in
-//! floating point of half a span: control points at full size that alternate then have coefficients
-//! below twice their size.
+//! floating point from about the middle of a piece: control points at full size that alternate then
+//! have coefficients below twice their size.
 
 use super::CurveError;
 use super::fixed::FixedFrame;
@@ -117,7 +117,32 @@ macro_rules! floats {
                 let least = (origin.abs() * ($Float::EPSILON / 2.0)).max($Float::MIN_POSITIVE);
                 let far = (origin - start).max(end - origin).max(least);
                 let scale = power(far as f64) as $Float;
+                let origin = Self::moved(start, origin, end, scale);
                 FloatFrame { scale, shift: -origin * scale }
+            }
+
+            /// The origin at a distance of 1/2 from the end that is nearer to 0, where that pays.
+            ///
+            /// With t below half of the origin, the difference of the two is rounded, and twice as much
+            /// from 1/2 on. Where the middle is little farther away, the other end may be so instead.
+            const fn moved(
+                start: $Float,
+                middle: $Float,
+                end: $Float,
+                scale: $Float,
+            ) -> $Float {
+                let is_start_near = start.abs() < end.abs();
+                let near = if is_start_near { start } else { end };
+                let far = (middle - start).max(end - middle) * scale;
+                // Below 1/2 are pieces that are too short for a scale.
+                if far < 0.5 || far > 0.7 || near / middle >= 0.5 {
+                    return middle;
+                }
+                // A multiple of 2⁻¹², so that t above it has exact differences; up to 1/2 away when rounded.
+                let half = (0.5 - 1.0 / 4096.0) / scale;
+                let origin = if is_start_near { start + half } else { end - half };
+                let coarse = 1.5 / $Float::EPSILON / 4096.0 / scale;
+                (origin + coarse) - coarse
             }
 
             /// The distance of a knot from the origin of a frame.
