@@ -1,6 +1,6 @@
 //! The door for primitives of your own.
 
-use super::row::{Leaf, leaf};
+use super::leaf::{Leaf, leaf};
 use super::{Shape, Solid};
 use crate::geom::{Extent, Line, RayRow, Rays, Vec3};
 use crate::scalar::Scalar;

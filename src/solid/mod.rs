@@ -29,6 +29,7 @@ mod convex;
 mod cylinder;
 mod group;
 mod intersect;
+mod leaf;
 mod paint;
 mod pipe;
 mod placed;

@@ -1,7 +1,7 @@
 //! The sphere (as a solid: the ball).
 
 use super::intersect::Intersect;
-use super::row::{Leaf, leaf};
+use super::leaf::{Leaf, leaf};
 use super::silhouette::PencilBall;
 use super::strip::Steps;
 use super::{Shape, Solid};

@@ -7,7 +7,7 @@ mod tube;
 pub(super) use tube::Tube;
 
 use super::intersect::Intersect;
-use super::row::leaf;
+use super::leaf::leaf;
 use super::slab::{Slab, SlabError};
 use super::{Shape, Solid};
 use crate::geom::{Direction, Line, Vec3};

@@ -7,7 +7,8 @@
 use super::{Cylinder, frame, set_common, wall_span};
 use crate::geom::{Affine, Extent, Parallel};
 use crate::scalar::{Number, Real, Scalar};
-use crate::solid::row::{Blank, Leaf};
+use crate::solid::leaf::Leaf;
+use crate::solid::row::Blank;
 use crate::solid::slab::{self, EdgeOn, Ends};
 use crate::solid::strip::{Rows, Steps};
 use crate::span::Span;

@@ -8,7 +8,7 @@ use super::{Cylinder, frame, set_common, wall_span};
 use crate::geom::{Affine, Extent, Pencil, Vec3};
 use crate::scalar::{Chord, Number, Real, Scalar};
 use crate::solid::intersect::Passage;
-use crate::solid::row::Leaf;
+use crate::solid::leaf::Leaf;
 use crate::solid::silhouette::{PencilBall, constant, extent};
 use crate::solid::slab;
 use crate::span::{Face, Span};

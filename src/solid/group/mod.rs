@@ -1,8 +1,9 @@
 //! An array of one kind of solid is the union of its elements: a bolt circle, a box of balls.
 
+mod lists;
 mod row;
 
-pub(super) use row::{GroupRow, Member, view_each};
+pub(super) use lists::{GroupRow, Member, view_each};
 
 use super::{Rgb, Shape, Solid};
 use crate::geom::{Line, Vec3};

@@ -7,7 +7,7 @@ pub(super) use parallel::{EdgeOn, Ends, ParallelRow, ParallelView, faces};
 pub(super) use pencil::{PencilRow, PencilView};
 
 use super::intersect::{Intersect, Passage};
-use super::row::leaf;
+use super::leaf::leaf;
 use super::{Shape, Solid};
 use crate::geom::{Direction, Line, Vec3};
 use crate::scalar::{Check, FixedI32, Fraction, Number, Scalar};

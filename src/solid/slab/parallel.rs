@@ -3,7 +3,8 @@
 use super::Slab;
 use crate::geom::{Affine, Extent, Parallel, Vec3};
 use crate::scalar::{Number, Real, Scalar};
-use crate::solid::row::{Blank, Leaf};
+use crate::solid::leaf::Leaf;
+use crate::solid::row::Blank;
 use crate::solid::strip::Steps;
 use crate::span::{Crossing, Face, Span};
 

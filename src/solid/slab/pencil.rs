@@ -4,7 +4,7 @@ use super::Slab;
 use crate::geom::{Affine, Direction, Extent, Pencil, Vec3};
 use crate::scalar::{Number, Scalar};
 use crate::solid::intersect::Passage;
-use crate::solid::row::Leaf;
+use crate::solid::leaf::Leaf;
 use crate::span::Span;
 
 impl<S: Scalar> Leaf<Pencil<S>> for Slab<S> {
