@@ -1,4 +1,4 @@
-//! Instructions of Arm's floating-point unit that stable Rust has no name for.
+//! Instructions of Arm cores with a floating-point unit that stable Rust has no name for.
 //!
 //! `core` has neither a square root nor a fused product, and `libm`'s root is 43 instructions
 //! where the unit needs one. Assembly takes no floating-point registers as operands on these

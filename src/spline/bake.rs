@@ -142,7 +142,9 @@ macro_rules! floats {
                 let half = (0.5 - 1.0 / 4096.0) / scale;
                 let origin = if is_start_near { start + half } else { end - half };
                 let coarse = 1.5 / $Float::EPSILON / 4096.0 / scale;
-                (origin + coarse) - coarse
+                let moved = (origin + coarse) - coarse;
+                // Of the widest pieces, that overflows.
+                if moved.is_finite() { moved } else { middle }
             }
 
             /// The distance of a knot from the origin of a frame.

@@ -14,9 +14,9 @@ use crate::scalar::{Check, FixedI32, Fraction, Polynomial};
 /// A B-spline curve of the order `K` as polynomials, for `SPANS` spans: those of its domain that are
 /// not empty, which [`Knots::spans`](super::Knots::spans) counts.
 ///
-/// A value is a search for the span and Horner's rule about its middle: in fixed point in products of
-/// 32 bits, and in floating point with three polynomials to a span, the first and the last one for a
-/// quarter of it. Baking is done in double words of `f64`; in a constant, that costs nothing. For
+/// A value is a search for the span and Horner's rule: in fixed point about the span's middle in
+/// products of 32 bits, and in floating point with three polynomials to a span, the first and the last
+/// one for a quarter of it. Baking is done in double words of `f64`; in a constant, that costs nothing. For
 /// errors see [`value`](Self::value) and [`derivative`](Self::derivative).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C)]

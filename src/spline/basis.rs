@@ -67,7 +67,8 @@ impl<S: Blend, const K: usize, const N: usize> Knots<S, K, N> {
     /// A derivative of the basis function N_{index,k}; of order 0 the function itself.
     ///
     /// Continuous from the right, at the last knot from the left. A derivative of order K or more
-    /// is 0.
+    /// is 0. One that leaves the number type's range, over knots that nearly coincide, is held inside
+    /// it, but has no correct digit then.
     #[must_use]
     pub fn basis_derivative(&self, index: usize, order: usize, t: S) -> S {
         let Some(all) = self.non_zero_derivatives(order, t) else { return S::ZERO };
@@ -82,8 +83,9 @@ impl<S: Blend, const K: usize, const N: usize> Knots<S, K, N> {
         self.non_zero_derivatives(0, t)
     }
 
-    /// The derivatives of this order of all basis functions that are not zero around a parameter.
-    /// `None` where t is not between the first and the last knot.
+    /// The derivatives of this order of all basis functions that are not zero around a parameter, as
+    /// [`basis_derivative`](Self::basis_derivative). `None` where t is not between the first and the
+    /// last knot.
     #[must_use]
     pub fn non_zero_derivatives(&self, order: usize, t: S) -> Option<NonZero<S, K>> {
         let knots = self.as_slice();

@@ -144,11 +144,6 @@ pub trait Blend: Scalar + Weigh {
         tree::find(nodes, elements, key)
     }
 
-    /// 1 from a number on, and 0 below. It is arithmetic, for an index: a condition would become one of
-    /// every address.
-    #[doc(hidden)]
-    fn step(t: Self, from: Self) -> usize;
-
     /// The smaller one of t and the last number before `end`.
     #[doc(hidden)]
     fn before(t: Self, end: Self) -> Self;

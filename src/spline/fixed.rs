@@ -227,11 +227,6 @@ impl<F: Fraction> Blend for FixedI32<F> {
     }
 
     #[inline]
-    fn step(t: Self, from: Self) -> usize {
-        usize::from(from <= t)
-    }
-
-    #[inline]
     fn before(t: Self, end: Self) -> Self {
         Self::from_bits(t.to_bits().min(end.to_bits().saturating_sub(1)))
     }

@@ -36,13 +36,16 @@ impl<S: Float> Weight<S> {
     /// `self·degree/width`, with a size up to `most`; 0 for a width of 0.
     #[inline(never)]
     fn climb(self, degree: S, width: Double<S>, most: S) -> Self {
+        let within = |x: S| Self(Double::from(x.min(most).max(-most)));
+        // A product's error may overflow before the product does.
+        if self.0.high.abs() > most * S::EPSILON {
+            let is_empty = width.high == S::ZERO;
+            return within(if is_empty { S::ZERO } else { self.0.high / width.high * degree });
+        }
         let product = self.0.times(Double::from(degree));
         let Double { high, low } = quotient(product, width);
         // Outside of the range in which the product of quotient and divisor has an exact error.
-        if high.abs() > S::REACH {
-            return Self(Double::from(high.min(most).max(-most)));
-        }
-        Self(Double { high, low })
+        if high.abs() > S::REACH { within(high) } else { Self(Double { high, low }) }
     }
 }
 
@@ -221,12 +224,6 @@ macro_rules! floats {
                 pieces: &Self::Pieces<T, SPANS>,
             ) -> &[T] {
                 pieces.as_flattened()
-            }
-
-            #[inline]
-            fn step(t: Self, from: Self) -> usize {
-                // The sign.
-                ((t - from).to_bits() >> ($Whole::BITS - 1) ^ 1) as usize
             }
 
             #[inline]

@@ -7,8 +7,8 @@
 //! happens outside of it is the caller's choice: [`Outside`].
 //!
 //! A curve of numbers or vectors ([`Point`]) comes in two forms. [`Curve`] has control points that
-//! can be changed. [`Baked`] is its polynomials, one for each span of knots, computed while
-//! compiling; it takes less time. For motion, with a point at every tick of a clock, [`Sweep`] needs
+//! can be changed. [`Baked`] is its polynomials, for each span of knots, computed while compiling; it
+//! takes less time. For motion, with a point at every tick of a clock, [`Sweep`] needs
 //! additions only. [`Curve::flatten`] approximates a curve by a polyline, [`Curve::lengths`]
 //! measures it, [`Curve::insert`] adds knots.
 //!

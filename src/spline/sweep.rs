@@ -74,7 +74,7 @@ impl Quotient {
 
     #[inline]
     fn add(&mut self, other: Self, divisor: u32) {
-        // Both are below the divisor, which is below 2³¹.
+        // Both are below the divisor, which is 2³¹ at most.
         self.rest = self.rest.wrapping_add(other.rest);
         self.whole = self.whole.wrapping_add(other.whole);
         if self.rest >= divisor {
