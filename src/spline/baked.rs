@@ -53,14 +53,16 @@ macro_rules! bake {
             /// moved.
             ///
             /// With twice as many `SPANS` as the curve has, each is divided into two polynomials,
-            /// and so on: rounding errors become smaller.
+            /// and so on: rounding errors become smaller, and in fixed point there is room for control
+            /// points that are farther apart.
             ///
             /// # Errors
             /// [`CurveError::SpanCount`] unless `SPANS` is the number of the curve's spans, or a
             /// multiple of it;
             /// [`CurveError::TooFar`] in fixed point, if a span goes so far that fewer than four
-            /// guard bits are left: in `I16F16` control points some 150 units apart always
-            /// are near enough for a cubic.
+            /// guard bits are left. In `I16F16`, control points of a cubic within 25 units of some
+            /// place always are near enough. That is for those that alternate, over spans of a power of
+            /// two; most have room for some hundreds, and over halves of a span also those for 200.
             pub const fn bake<const SPANS: usize>(
                 &self,
             ) -> Result<Baked<$Point, K, SPANS>, CurveError> {

@@ -68,7 +68,11 @@ macro_rules! floats {
                 index: usize,
                 count: usize,
             ) -> Option<$Float> {
-                let at = from + (to - from) * index as $Float / count as $Float;
+                let (width, index, count) = (to - from, index as $Float, count as $Float);
+                let part = width * index / count;
+                // The product of the widest spans overflows.
+                let part = if part.is_finite() { part } else { width / count * index };
+                let at = from + part;
                 Self::finite(if at > to { to } else { at })
             }
 

@@ -127,8 +127,8 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
         P::Scalar::at::<P, K, C>(&self.cells, &self.spans, t)
     }
 
-    /// The point by de Boor's algorithm: in `f32` at clamped ends, outside of the domain, and where
-    /// there are no polynomials, because of a high order or a span shorter than 10⁻²⁸.
+    /// The point by de Boor's algorithm: in `f32` at clamped ends, outside of the domain, and for an
+    /// order that has no polynomials.
     #[inline(never)]
     fn blended(&self, t: P::Scalar, outside: Outside) -> Result<P, EvaluateError> {
         let t = self.domain().place(t, outside)?;

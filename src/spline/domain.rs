@@ -14,7 +14,7 @@ pub enum Outside {
     Clamp,
     /// The polynomial of the first or last span is continued.
     Extrapolate,
-    /// The domain is the period of a closed curve.
+    /// The domain is the period of a closed curve. (One that isn't closed jumps where it begins anew.)
     Wrap,
 }
 

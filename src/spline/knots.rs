@@ -8,6 +8,16 @@ use crate::scalar::Scalar;
 ///
 /// Knots are in ascending order; equal ones are allowed, up to `K` of them. No tolerance says when
 /// knots are equal: they are, or they aren't.
+///
+/// Bad knots of a constant are found while compiling, and at run time they are a
+/// [`KnotError`](super::KnotError):
+///
+/// ```compile_fail,E0080
+/// use scancsg::{constant, spline::Knots};
+///
+/// const KNOTS: Knots<f32, 3, 6> = constant!(Knots::<f32, 3, 6>::new(&[0.0, 0.0, 0.0, 1.0, 0.5, 2.0]));
+/// # let _ = KNOTS;
+/// ```
 #[derive(Debug, Clone, Copy)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Knots<S: Scalar, const K: usize, const N: usize> {

@@ -106,10 +106,13 @@ struct Cell<const K: usize> {
     weights: [[i32; K]; K],
 }
 
-/// The local parameter is `((t − start)·scale − half)·factor/2²⁹`, from −2³¹ to 2³¹.
+/// The local parameter is `((t·lift − start)·scale − half)·factor/2²⁹`, from −2³¹ to 2³¹.
 #[doc(hidden)]
 #[derive(Debug, Clone, Copy)]
 pub struct LocalFrame {
+    /// 1, or 2⁶⁴ for a span so short that its scale were no number: it is near 0 then.
+    lift: f32,
+    /// Times `lift`.
     minus_start: f32,
     /// A power of two.
     scale: f32,
@@ -119,7 +122,7 @@ pub struct LocalFrame {
 }
 
 impl LocalFrame {
-    const NONE: Self = Self { minus_start: 0.0, scale: 0.0, half: 0, factor: 0 };
+    const NONE: Self = Self { lift: 0.0, minus_start: 0.0, scale: 0.0, half: 0, factor: 0 };
 }
 
 /// The digits of a weight: coefficients, and sums in Horner's rule, are below 2^(K − 1).
@@ -152,10 +155,6 @@ impl Bake<f32> {
         while span < points && count < C {
             let (start, end) = (all[span], all[span + 1]);
             if start < end {
-                // Shorter ones would need a scale beyond the range.
-                if end - start < 1e-28 {
-                    return (none, frames);
-                }
                 made.starts[count] = Self::key(start);
                 (made.cells[count], frames[count]) = Self::cell(all, span);
                 count += 1;
@@ -209,9 +208,11 @@ impl Bake<f32> {
             }
             function += 1;
         }
+        let lift = if scale < power_of_two(127) as f64 { 1.0 } else { power_of_two(64) };
         let frame = LocalFrame {
-            minus_start: -start,
-            scale: scale as f32,
+            lift,
+            minus_start: -start * lift,
+            scale: (scale / lift as f64) as f32,
             half: (half as i32).wrapping_add(ROUNDS.to_bits().cast_signed()),
             factor: factor as i32,
         };
@@ -311,7 +312,7 @@ impl Weigh for f32 {
             spans.fold(first, |at, (start, span)| select_unpredictable(*start <= key, span, at));
 
         // The difference's rounding error, too: it can be more than a unit of the curve.
-        let (high, low) = two_sum(t, frame.minus_start);
+        let (high, low) = two_sum(t * frame.lift, frame.minus_start);
         let rest = (low * frame.scale + ROUNDS).to_bits().cast_signed();
         let offset = ((high * frame.scale) as i32).wrapping_add(rest).wrapping_sub(frame.half);
         let local = ((i64::from(offset) * i64::from(frame.factor)) >> 29) as i32;

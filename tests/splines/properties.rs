@@ -1,11 +1,12 @@
 //! What holds for all splines.
 
-use super::curves::{KNOTS, POINTS, Rounded, case, lane, largest, ratios, runner};
+use super::curves::{Case, KNOTS, POINTS, Rounded, case, full_size, lane, largest, ratios, runner};
 use super::exact::{self, Ratio};
 use super::number::{Numeric, error};
 use proptest::prelude::*;
 use scancsg::scalar::I16F16;
-use scancsg::spline::{Curve, Knots, Outside};
+use scancsg::spline::{Curve, Knots, Outside, Vertex};
+use std::cell::Cell;
 
 pub type Made<S, const K: usize> = Curve<[S; 2], K, POINTS, KNOTS>;
 
@@ -15,8 +16,15 @@ pub fn curves<S: Numeric, const K: usize>(
     size: f64,
     holds: impl Fn(Made<S, K>, Rounded<S>) -> Result<(), TestCaseError>,
 ) {
+    curves_of(case(K, offset, size), holds);
+}
+
+fn curves_of<S: Numeric, const K: usize>(
+    cases: impl Strategy<Value = Case>,
+    holds: impl Fn(Made<S, K>, Rounded<S>) -> Result<(), TestCaseError>,
+) {
     runner()
-        .run(&case(K, offset, size), |case| {
+        .run(&cases, |case| {
             let rounded = case.rounded::<S>(K);
             let made = S::knots::<K, KNOTS>(&rounded.knots)
                 .ok()
@@ -355,6 +363,91 @@ fn polylines_keep_to_their_tolerance() {
     flat::<f32, 4>(0.001);
     flat::<f64, 4>(0.01);
     flat::<I16F16, 4>(0.01);
+}
+
+/// The chords of a long polyline add up to the last digit.
+#[test]
+fn lengths_do_not_drift() {
+    let knots = Knots::<f32, 4, 12>::clamped_uniform(8, 0.0, 7.0).unwrap();
+    let points = [0.0, 31.0, -40.0, 57.0, 3.0, -61.0, 14.0, 9.0].map(|x| [x, 33.0 - 0.7 * x * x]);
+    let curve = Curve::<[f32; 2], 4, 8, 12>::new(knots, points).unwrap();
+    let vertices: Vec<_> = curve.flatten(1e-4).unwrap().collect();
+    assert!(vertices.len() > 5000, "{}", vertices.len());
+    let chord = |pair: &[Vertex<[f32; 2]>]| {
+        let [[ax, ay], [bx, by]] = [pair[0].point.map(f64::from), pair[1].point.map(f64::from)];
+        (bx - ax).hypot(by - ay)
+    };
+    let exact: f64 = vertices.windows(2).map(chord).sum();
+    let (t, length) = curve.lengths(1e-4).unwrap().last().unwrap();
+    let units = (f64::from(length) - exact).abs() / f32::ulp(exact);
+    assert!(t == 7.0 && units <= 1.5, "{units} units of {exact}");
+}
+
+/// Curves agree with their baked form in so many units of the largest control coordinate: those that
+/// the one may be off, and the other.
+fn forms<S: Numeric, const K: usize>(size: f64, limit: f64) {
+    let most = Cell::new(0f64);
+    let agree = |curve: Made<S, K>, Rounded { knots, points, t }: Rounded<S>| {
+        let ends = [knots[K - 1], knots[points.len()]];
+        for t in knots.into_iter().filter(|t| (ends[0]..=ends[1]).contains(t)).chain([t]) {
+            let Ok(baked) = S::at_baked(&curve, 1, 0, t, Outside::Error) else {
+                return Err(TestCaseError::reject("too far"));
+            };
+            let editable = curve.value(t, Outside::Error).unwrap();
+            for (a, b) in baked.unwrap().into_iter().zip(editable) {
+                let units = (f64_of(a) - f64_of(b)).abs() / S::ulp(largest(&points));
+                most.set(most.get().max(units));
+                prop_assert!(units <= limit, "{units} units at {t:?}");
+            }
+        }
+        Ok(())
+    };
+    curves::<S, K>(0.0, size, agree);
+    curves_of::<S, K>(full_size(K, size), agree);
+    println!("{} {K}: {:.2} units", std::any::type_name::<S>(), most.get());
+}
+
+#[test]
+fn baked_curves_are_the_editable_ones() {
+    forms::<f32, 1>(1e6, 0.0);
+    forms::<f32, 2>(1e6, 1.6 + 1.0);
+    forms::<f32, 3>(1e6, 2.5 + 1.0);
+    forms::<f32, 4>(1e6, 2.8 + 1.0);
+    forms::<f32, 5>(1e6, 3.1 + 1.5);
+    forms::<f32, 6>(1e6, 3.7 + 2.5);
+    forms::<f64, 3>(1e6, 3.1 + 1.5);
+    forms::<f64, 4>(1e6, 3.1 + 1.75);
+    // Whole units of the type's last place.
+    forms::<I16F16, 1>(75.0, 0.0);
+    forms::<I16F16, 2>(75.0, 1.0);
+    forms::<I16F16, 3>(75.0, 1.0);
+    forms::<I16F16, 4>(75.0, 1.0);
+}
+
+/// Of knots 2⁻¹²⁰ and 2⁻¹⁰⁰ times as far apart, down to the smallest numbers that there are.
+#[test]
+fn tiny_knots_are_like_any_others() {
+    fn tiny<const K: usize>() {
+        curves::<f32, K>(0.0, 1e6, |curve, Rounded { knots, points, t }| {
+            for scale in [-120.0, -100.0, -80.0].map(f32::exp2) {
+                let knots: Vec<f32> = knots.iter().map(|x| x * scale).collect();
+                let small = Knots::<f32, K, KNOTS>::new(&knots).unwrap();
+                let small = Made::<f32, K>::from_slice(small, &points).unwrap();
+                // What of t is too small to be a number is not asked for.
+                if t * scale / scale == t {
+                    let [small, large] = [(small, t * scale), (curve, t)]
+                        .map(|(curve, t)| curve.value(t, Outside::Error).unwrap());
+                    prop_assert_eq!(small, large, "{}", t * scale);
+                }
+            }
+            Ok(())
+        });
+    }
+    tiny::<2>();
+    tiny::<3>();
+    tiny::<4>();
+    tiny::<5>();
+    tiny::<6>();
 }
 
 /// Periodic knots repeat, so the derivatives of a closed curve agree at its ends.
