@@ -6,7 +6,7 @@
 use super::number::sealed::Sealed;
 use super::rebase::Rebased;
 use super::whole::{divide, narrow, normalized, reciprocal, rounded_to_i32, shift_right, sqrt};
-use super::words::{product, unsigned_product};
+use super::words::{leading_zeros, product, unsigned_product};
 use super::{Chord, Factor, Fine, FixedI32, Number, Scalar};
 use ::fixed::types::extra::{LeEqU32, U28};
 
@@ -73,6 +73,14 @@ impl<F: Fraction> Number for FixedI32<F> {
 #[inline]
 fn sum_of_products<const N: usize>(x: [i32; N], y: [i32; N]) -> i64 {
     x.into_iter().zip(y).fold(0i64, |sum, (x, y)| sum.saturating_add(product(x, y)))
+}
+
+/// Numbers with all the digits that 31 bits have room for in the largest, and how many are dropped.
+#[inline]
+fn short<const N: usize>(x: [Fine; N]) -> ([i32; N], i32) {
+    let all = x.iter().fold(0, |all, x| all | x.to_bits().unsigned_abs());
+    let drop = (34 - leading_zeros(all) as i32).max(0);
+    (x.map(|x| shift_right(x.to_bits(), drop) as i32), drop)
 }
 
 /// `|x|²`, for up to 3 coordinates.
@@ -191,11 +199,11 @@ impl<F: Fraction> Scalar for FixedI32<F> {
 
     fn chord<const K: usize, const N: usize>(
         radius: Self,
-        k: [Self; K],
+        k: [Fine; K],
         q: [Self; N],
         m: [Unit; N],
     ) -> Chord<Self> {
-        // Bits of a and b have 2·28 and F + 28 digits behind the point; r² and k² have 2F.
+        // Bits of a and b have 2·28 and F + 28 digits behind the point; r² has 2F.
         let m = m.map(Unit::to_bits);
         let (a, exponent) = normalized(sum_of_squares(m));
         // |m| below 2^-14 has less than 14 bits.
@@ -206,8 +214,9 @@ impl<F: Fraction> Scalar for FixedI32<F> {
         let inverse = u64::from(reciprocal(a));
         let one_over_a = 2 * UNIT_BITS as i32 - 63 - exponent;
 
-        let (squared, to_k) = normalized(sum_of_squares(k.map(Self::to_bits)));
-        let to_k = to_k + one_over_a;
+        let (k, drop) = short(k);
+        let (squared, to_k) = normalized(sum_of_squares(k));
+        let to_k = to_k + one_over_a + 2 * (drop + F::BITS as i32 - Fine::FRACTION_BITS as i32);
         if squared > 0 && to_k > 0 {
             // Far more than the square of any radius.
             return Chord::Beside;

@@ -249,7 +249,7 @@ macro_rules! float {
             #[inline]
             fn chord<const K: usize, const N: usize>(
                 radius: Self,
-                k: [Self; K],
+                k: [Self::Fine; K],
                 q: [Self; N],
                 m: [Self; N],
             ) -> Chord<Self> {

@@ -124,11 +124,12 @@ pub trait Scalar: Number {
     /// Where the line `q + t·m` is within `radius` of the origin.
     ///
     /// `k` is the vector product of q and m, which the caller knows with fewer rounding errors;
-    /// in two dimensions it has one coordinate. With a = |m|² the middle is t = −q·m/a, and the
+    /// in two dimensions it has one coordinate. It has more digits, because |k|/|m| is the distance of
+    /// the line, however small m is. With a = |m|² the middle is t = −q·m/a, and the
     /// half-chord `√(r²a − |k|²)/a`.
     fn chord<const K: usize, const N: usize>(
         radius: Self,
-        k: [Self; K],
+        k: [Self::Fine; K],
         q: [Self; N],
         m: [Self::Unit; N],
     ) -> Chord<Self>;

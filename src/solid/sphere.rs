@@ -178,9 +178,11 @@ impl<S: Scalar> Leaf<Pencil<S>> for Sphere<S> {
     #[inline]
     fn span(&self, _: &Self::View, row: &Self::Row, x: i32) -> Option<Span<S>> {
         let row = row.as_ref()?;
-        let lengths = |of: [Affine<S::Fine>; 3]| of.map(|part| S::from_fine(part.at(x)));
         let direction = row.direction.map(|part| S::unit(part.at(x)));
-        let (k, q) = (lengths(row.moment), lengths(row.from_center));
+        let (k, q) = (
+            row.moment.map(|part| part.at(x)),
+            row.from_center.map(|part| S::from_fine(part.at(x))),
+        );
         match S::chord(self.radius, k, q, direction) {
             Chord::Between(enter, exit) => span(enter, exit),
             Chord::Beside | Chord::Along => None,

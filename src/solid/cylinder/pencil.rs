@@ -87,8 +87,7 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
         let (Some(view), Some(row)) = (view, row) else { return };
         let q = row.moment.map(|part| S::from_fine(part.at(x)));
         let m = row.turn.map(|part| S::unit(part.at(x)));
-        let k = [S::from_fine(row.reach.at(x))];
-        let chord = match S::chord(self.tube.radius, k, q, m) {
+        let chord = match S::chord(self.tube.radius, [row.reach.at(x)], q, m) {
             Chord::Between(enter, exit) => [enter, exit],
             Chord::Along if view.eye_within => [S::LOWEST, S::HIGHEST],
             Chord::Along | Chord::Beside => return,
