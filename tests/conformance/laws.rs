@@ -6,7 +6,7 @@
 
 use crate::number::{Tested, between, coordinates, ray, rod, spans, vector};
 use proptest::prelude::*;
-use scancsg::geom::{Line, Pose, Ray, Vec3};
+use scancsg::geom::{Line, Pose, Ray, Vec3, vec3};
 use scancsg::solid::{
     Cylinder, Difference, Intersection, Placed, Shape, Slab, Solid, Sphere, Union,
 };
@@ -25,6 +25,7 @@ for_every_number!(
     seen_from_the_other_end,
     shifted_on_the_grid,
     abutting_cylinders_are_one,
+    caps_do_not_move_the_wall,
     flush_holes_leave_no_skin,
     oblique_cylinders_abut_without_a_wall,
 );
@@ -329,6 +330,34 @@ fn abutting_cylinders_are_one<S: Tested>() {
         same(&[second, first], &one, &ray)?;
         same(&(one - first), &second, &ray)?;
         prop_assert_eq!(spans(&(first & second), &ray), []);
+    });
+}
+
+/// A ray in the plane of a cap meets the wall where it does without that cap: one of two cylinders that
+/// abut there has the span of both, by the bit.
+fn caps_do_not_move_the_wall<S: Tested>() {
+    proptest!(|(
+        low in coordinate::<S>(), left in size(), right in size(),
+        middle in [coordinate(), coordinate()], radius in size(), axis in 0..3usize,
+        from in [coordinate::<S>(), coordinate()], way in prop::array::uniform2(-1.0..1.0),
+    )| {
+        let plane = low.plus(left);
+        let make = |low, high| S::along(axis, middle, radius, low, high).unwrap();
+        let (one, first, second) =
+            (make(low, plane.plus(right)), make(low, plane), make(plane, plane.plus(right)));
+        let placed = |along: S, [a, b]: [S; 2]| {
+            let mut at = [a, b, along];
+            at.rotate_left(2 - axis);
+            vec3(at[0], at[1], at[2])
+        };
+        prop_assume!(way != [0.0, 0.0]);
+        let ray = Ray::new(placed(plane, from), placed(S::ZERO, way.map(S::near)));
+        prop_assume!(ray.is_ok());
+        let ray = ray.unwrap();
+        prop_assume!(is_clear(&one, &ray));
+        let [first, second] = [&first, &second].map(|solid| spans(solid, &ray));
+        prop_assert!(first.is_empty() || second.is_empty());
+        prop_assert_eq!([first, second].concat(), spans(&one, &ray));
     });
 }
 

@@ -136,7 +136,18 @@ fn half_way<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>, faces: &mut [Face;
 #[cold]
 #[inline(never)]
 fn carefully<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>, faces: &mut [Face; 2]) -> Inside<S> {
-    let inside = meet(cylinder, line);
+    pass(cylinder, line, meet(cylinder, line), faces)
+}
+
+/// What is between the caps of any line's part inside the wall.
+#[cold]
+#[inline(never)]
+fn pass<S: Float>(
+    cylinder: &Cylinder<S>,
+    line: &Line<S>,
+    inside: Inside<S>,
+    faces: &mut [Face; 2],
+) -> Inside<S> {
     let (at_zero, speed) = heights(cylinder, line);
     match cylinder.caps.passage(at_zero, speed) {
         Passage::Across { at, .. } => common(inside, at, faces),
@@ -148,7 +159,8 @@ fn carefully<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>, faces: &mut [Face
 /// What is between the caps of a line's part inside the wall.
 ///
 /// A line along the planes passes them at infinity, or at 0/0. That it has nothing is looked into
-/// last, because such lines are rare.
+/// last, because such lines are rare. Where it meets the wall doesn't depend on the planes, by not a bit:
+/// another cylinder may have the same wall, and other caps.
 #[inline(always)]
 fn between_caps<S: Float>(
     cylinder: &Cylinder<S>,
@@ -159,7 +171,11 @@ fn between_caps<S: Float>(
     faces: &mut [Face; 2],
 ) -> Inside<S> {
     let (enter, exit) = common(inside, planes, faces);
-    if enter < exit || speed != S::ZERO { (enter, exit) } else { carefully(cylinder, line, faces) }
+    if enter < exit || speed != S::ZERO {
+        (enter, exit)
+    } else {
+        pass(cylinder, line, inside, faces)
+    }
 }
 
 /// What is both inside the wall and between the planes of the caps, which are the low one and the high
