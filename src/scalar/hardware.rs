@@ -12,6 +12,7 @@
 
 use super::{FloatFrame, Polynomial};
 use core::arch::asm;
+use core::mem::offset_of;
 
 /// The product of two numbers and its rounding error, by a fused product and sum.
 ///
@@ -88,7 +89,12 @@ pub(super) fn sqrt(x: f32) -> f32 {
 /// fourteen. `vmla` rounds the product, and then the sum.
 #[inline]
 pub(crate) fn cubic(polynomial: &Polynomial<FloatFrame<f32>, [f32; 3], 4>, t: f32) -> [f32; 3] {
-    const { assert!(size_of::<Polynomial<FloatFrame<f32>, [f32; 3], 4>>() == 14 * size_of::<f32>()) };
+    const {
+        type Cubic = Polynomial<FloatFrame<f32>, [f32; 3], 4>;
+        assert!(size_of::<Cubic>() == 14 * size_of::<f32>());
+        assert!(offset_of!(Cubic, frame.scale) == 12 * size_of::<f32>());
+        assert!(offset_of!(Cubic, frame.shift) == 13 * size_of::<f32>());
+    }
     let (x, y, z): (u32, u32, u32);
     // SAFETY: the pointer is that of a reference, so it is aligned, and valid for reading the fourteen
     // numbers that are asserted to be there without a gap, in the order of their fields, and that all
@@ -131,6 +137,7 @@ pub(crate) fn cubic(polynomial: &Polynomial<FloatFrame<f32>, [f32; 3], 4>, t: f3
 /// comparison are one instruction, which no compiler finds. Without enough nodes it is `usize::MAX`.
 #[inline]
 pub(crate) fn leaf(nodes: &[u32], levels: u32, key: u32) -> usize {
+    const { assert!(size_of::<usize>() == size_of::<u32>()) };
     if nodes.len().checked_shr(levels).is_none_or(|enough| enough == 0) {
         return usize::MAX;
     }

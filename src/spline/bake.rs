@@ -80,6 +80,14 @@ const fn largest<const K: usize>(polynomial: &[Long; K], first: f64) -> f64 {
     largest
 }
 
+/// h², where a piece's local parameters `t·scale + shift` are from about −h to h. 0 for a piece of a few
+/// units, whose origin is at an end of it: large coefficients don't make up for one another there.
+const fn square_of_half(scale: f64, shift: f64, start: f64, stop: f64) -> f64 {
+    let (low, high) = ((start * scale + shift).abs(), (stop * scale + shift).abs());
+    let half = low.max(high);
+    if low.min(high) > 0.25 { half * half } else { 0.0 }
+}
+
 /// Coefficient `i` as a whole number: half a unit makes up for the product that is cut off.
 const fn coefficient<const K: usize>(polynomial: &[Long; K], i: usize, scale: f64) -> i64 {
     let cut_off = if i + 1 < K { 0.5 } else { 0.0 };
@@ -158,18 +166,30 @@ macro_rules! floats {
             }
 
             /// Coefficients of a span's polynomials, and what is added at the end.
+            ///
+            /// What rounding leaves of the coefficient of yⁱ is carried to that of yⁱ⁻²: for |y| ≤ h,
+            /// yⁱ is (i/4)h²yⁱ⁻² and little else, by Chebyshev's polynomials (Lanczos, *Applied Analysis*,
+            /// 1956).
             #[allow(clippy::type_complexity)]
             pub(super) const fn coefficients<const K: usize, const D: usize>(
                 polynomials: [[Long; K]; D],
                 frame: FloatFrame<$Float>,
+                [start, stop]: [$Float; 2],
             ) -> Result<(FloatFrame<$Float>, [[$Float; D]; K], [(); D]), CurveError> {
                 let mut coefficients = [[0.0; D]; K];
+                let square = square_of_half(frame.scale as f64, frame.shift as f64, start as f64, stop as f64);
                 let mut d = 0;
                 while d < D {
-                    let mut i = 0;
-                    while i < K {
-                        coefficients[K - 1 - i][d] = polynomials[d][i].round() as $Float;
-                        i += 1;
+                    let mut rest = polynomials[d];
+                    let mut i = K;
+                    while i > 0 {
+                        i -= 1;
+                        let rounded = rest[i].round() as $Float;
+                        coefficients[K - 1 - i][d] = rounded;
+                        if i > 1 {
+                            let left = rest[i].minus(Long::from(rounded as f64));
+                            rest[i - 2] = rest[i - 2].plus(left.scaled(i as f64 / 4.0 * square));
+                        }
                     }
                     d += 1;
                 }
@@ -225,6 +245,7 @@ impl<F: Fraction> Bake<FixedI32<F>> {
     pub(super) const fn coefficients<const K: usize, const D: usize>(
         polynomials: [[Long; K]; D],
         frame: FixedFrame,
+        _: [FixedI32<F>; 2],
     ) -> Result<(FixedFrame, [[i32; D]; K], [i32; D]), CurveError> {
         let mut most = 1.0f64;
         let mut d = 0;

@@ -153,7 +153,7 @@ macro_rules! bake {
                     polynomials[d] = polynomial(low, high, points[d], unit);
                     d += 1;
                 }
-                match Bake::<$Scalar>::coefficients(polynomials, frame) {
+                match Bake::<$Scalar>::coefficients(polynomials, frame, [start, stop]) {
                     Ok((frame, coefficients, base)) => {
                         Ok(Piece { polynomial: Polynomial { coefficients, frame }, base })
                     }
@@ -185,8 +185,8 @@ impl<P: Point, const K: usize, const SPANS: usize> Baked<P, K, SPANS> {
     /// The curve's point at a parameter.
     ///
     /// In floating point it is within 3.1 units in the last place of the largest coordinate of its
-    /// control points for orders up to 5, and within 3.7 for order 6: no long search for the worst curve
-    /// has found more. In fixed point it is within 0.6 units.
+    /// control points, for orders up to 6: no long search for the worst curve has found more. In fixed
+    /// point it is within 0.6 units.
     ///
     /// # Errors
     /// [`EvaluateError::NotFinite`]; [`EvaluateError::Outside`] if t is outside of the domain and

@@ -160,6 +160,17 @@ pub trait Blend: Scalar + Weigh {
         c: Self::Coefficient,
     ) -> Self::Coefficient;
 
+    /// The same as the last step of a high order: in floating point rounded once.
+    #[doc(hidden)]
+    #[inline]
+    fn last(
+        sum: Self::Coefficient,
+        local: Self::Coefficient,
+        c: Self::Coefficient,
+    ) -> Self::Coefficient {
+        Self::horner(sum, local, c)
+    }
+
     /// Horner's rule for all coordinates of a baked curve. There is a coefficient for an order above 0.
     #[doc(hidden)]
     #[inline]
@@ -195,6 +206,9 @@ pub(super) fn falling(i: usize, order: usize) -> i64 {
     (0..order).fold(1, |product, j| product * (i as i64 - j as i64))
 }
 
+/// The lowest order whose rounding errors take more than Horner's rule to be small.
+pub(super) const HIGH: usize = 6;
+
 /// As [`Blend::sums`].
 #[inline]
 pub(super) fn horner<S: Blend, Row, const K: usize>(
@@ -207,9 +221,10 @@ where
     let local = S::local(t, &polynomial.frame);
     let (first, rest) = polynomial.coefficients.split_first()?;
     let mut sums = *first;
-    for coefficients in rest {
+    for (i, coefficients) in rest.iter().enumerate() {
+        let step = if K >= HIGH && i + 2 == K { S::last } else { S::horner };
         for (sum, c) in sums.as_mut().iter_mut().zip(coefficients.as_ref()) {
-            *sum = S::horner(*sum, local, *c);
+            *sum = step(*sum, local, *c);
         }
     }
     Some(sums)

@@ -242,6 +242,11 @@ macro_rules! floats {
             }
 
             #[inline]
+            fn last(sum: Self, local: Self, c: Self) -> Self {
+                Float::add_product(c, sum, local)
+            }
+
+            #[inline]
             fn baked(sum: Self, (): (), _: &Self::Frame) -> Self {
                 sum
             }
