@@ -197,6 +197,13 @@ impl<F: Fraction> Scalar for FixedI32<F> {
         Some(Self::from_bits(sqrt(square).min(i32::MAX as u32) as i32))
     }
 
+    #[inline]
+    fn moment(q: [Self; 2], m: [Unit; 2]) -> Fine {
+        let [q, m] = [q.map(Self::to_bits), m.map(Unit::to_bits)];
+        let moment = product(q[0], m[1]) - product(q[1], m[0]);
+        Fine::from_bits(shift_right(moment, (F::BITS + UNIT_BITS - Fine::FRACTION_BITS) as i32))
+    }
+
     fn chord<const K: usize, const N: usize>(
         radius: Self,
         k: [Fine; K],

@@ -247,6 +247,11 @@ macro_rules! float {
             }
 
             #[inline]
+            fn moment(q: [Self; 2], m: [Self; 2]) -> Self {
+                q[0] * m[1] - q[1] * m[0]
+            }
+
+            #[inline]
             fn chord<const K: usize, const N: usize>(
                 radius: Self,
                 k: [Self::Fine; K],

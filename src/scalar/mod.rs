@@ -121,11 +121,14 @@ pub trait Scalar: Number {
     /// A leg of a right triangle: `√(hypotenuse² − leg²)`, or `None` if that is not positive.
     fn leg(hypotenuse: Self, leg: Self) -> Option<Self>;
 
+    /// `q₀m₁ − q₁m₀`, the vector product in two dimensions.
+    fn moment(q: [Self; 2], m: [Self::Unit; 2]) -> Self::Fine;
+
     /// Where the line `q + t·m` is within `radius` of the origin.
     ///
-    /// `k` is the vector product of q and m, which the caller knows with fewer rounding errors;
-    /// in two dimensions it has one coordinate. It has more digits, because |k|/|m| is the distance of
-    /// the line, however small m is. With a = |m|² the middle is t = −q·m/a, and the
+    /// `k` is the vector product of q and m; in two dimensions it has one coordinate, their
+    /// [`moment`](Self::moment). It has more digits, because |k|/|m| is the distance of the line, however
+    /// small m is. With a = |m|² the middle is t = −q·m/a, and the
     /// half-chord `√(r²a − |k|²)/a`.
     fn chord<const K: usize, const N: usize>(
         radius: Self,

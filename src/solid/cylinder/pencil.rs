@@ -3,6 +3,10 @@
 //! In a row, q = u × axis and m = d × axis are affine in the column, and so is k = u·m, because
 //! all rays run through the eye. Both vectors are at right angles to the axis, so two coordinates
 //! hold each of them.
+//!
+//! The columns that can meet the wall come from k as an affine number, but a pixel's k from its own q and
+//! m, as they are rounded: then the three belong to one ray, which is a pixel's but for the rounding of
+//! its point and direction, also where it is nearly parallel to the axis and m is small.
 
 use super::{Cylinder, frame, set_common, wall_span};
 use crate::geom::{Affine, Extent, Pencil, Vec3};
@@ -71,7 +75,7 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
         let wide = [m0.times(radius), m1.times(radius), constant(view.blur)];
         let silhouette = extent(&wide, &[reach], columns);
         let caps = slab::PencilRow::new(&view.caps, y);
-        *row = Some(PencilRow { moment: [q0, q1], turn: [m0, m1], reach, caps });
+        *row = Some(PencilRow { moment: [q0, q1], turn: [m0, m1], caps });
         silhouette.overlap(view.ball.extent(y, columns))
     }
 
@@ -87,7 +91,7 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
         let (Some(view), Some(row)) = (view, row) else { return };
         let q = row.moment.map(|part| S::from_fine(part.at(x)));
         let m = row.turn.map(|part| S::unit(part.at(x)));
-        let chord = match S::chord(self.tube.radius, [row.reach.at(x)], q, m) {
+        let chord = match S::chord(self.tube.radius, [S::moment(q, m)], q, m) {
             Chord::Between(enter, exit) => [enter, exit],
             Chord::Along if view.eye_within => [S::LOWEST, S::HIGHEST],
             Chord::Along | Chord::Beside => return,
@@ -128,9 +132,8 @@ pub struct PencilView<S: Scalar> {
 /// A row of a cylinder, seen from an eye.
 #[derive(Debug, Clone, Copy)]
 pub struct PencilRow<S: Scalar> {
-    /// Two coordinates of q and of m, and k.
+    /// Two coordinates of q and of m.
     moment: [Affine<S::Fine>; 2],
     turn: [Affine<S::Fine>; 2],
-    reach: Affine<S::Fine>,
     caps: slab::PencilRow<S>,
 }
