@@ -141,7 +141,8 @@ const ORDER_6: [f64; 2] = [2.5, 3.1];
 /// two, these were up to 5 units off for order 4 and up to 7 for order 6: where a curve is quick, near
 /// a clamped end. Five more are the worst of 400 million with three and the origin of each in its middle:
 /// 3.0 units for order 4, 3.6 for order 6. Three are the worst with the
-/// origins of now, and in the last one, a span of one unit, only a constant coefficient as it is will do.
+/// origins of now, up to 3.5; in the next one, a span of one unit, only a constant coefficient as it is
+/// will do; and the last four are the worst with what rounding leaves of coefficients carried to others.
 #[test]
 fn what_longer_searches_found() {
     let check = |errors: Option<[f64; 2]>, limits: [f64; 2]| {
@@ -199,5 +200,15 @@ fn what_longer_searches_found() {
         ORDER_6: [-76.777016, -76.35795, -76.35795, -76.35795, -76.35795, -76.35795, -76.35794,
             -76.35794, -76.35751, -76.357254, -76.29346, -76.247536],
             [-1.9476929, 1.9762893, 1.9429711, 1.9885666, 1.95874, 1.994557], -76.35795;
+        ORDER_3: [4.4186e-41, 1.47925e-40, 6.59565e-40, 0.00039449014, 0.008688865, 0.009247137],
+            [1.9491754, -1.9672918, 1.9461136], 2.7210972e-6;
+        ORDER_4: [0.24104393, 0.24999739, 0.24999997, 0.25000012, 6.5000014, 6.500026, 6.5039663,
+            6.5598836], [-1.9532403, 1.9940066, -1.9546028, -1.9456565], 0.25346944;
+        ORDER_5: [0.00069217023, 0.0007150098, 0.0007150098, 0.0007150098, 0.0007150098, 0.012591504,
+            0.31607512, 0.31610286, 0.41317287, 0.42227197],
+            [1.9921908, -1.9828187, 1.9648781, 1.9727497, 1.7457184], 0.000744441;
+        ORDER_6: [8.2898e-41, 1.867e-40, 2.37206e-40, 5.15518e-40, 5.47235e-40, 2.010123e-39,
+            0.043819904, 0.043830927, 0.04383159, 0.04383159, 0.04383217, 0.04411652],
+            [1.9984844, -1.9958372, 1.9544502, -1.9414313, 1.9839293, -1.9794067], 0.00012741215;
     }
 }
