@@ -75,6 +75,32 @@ struct Found {
     worst_depth: f64,
 }
 
+/// What rays around a pixel see: on the edge of a disc, and on circles in it, because an edge may cut it.
+/// Where one circle sees something and the next one nothing, also what is seen last between the two: a
+/// depth is steepest at a silhouette.
+fn depths_around(
+    rays: impl Fn(f64) -> [ModelRay; 8],
+    depth: impl Fn(&ModelRay) -> Option<f64> + Copy,
+) -> Vec<Option<f64>> {
+    let mut all = Vec::new();
+    let circles = [0.0, 0.01, 0.03, 0.1, 0.3, 1.0].map(|part| (part, rays(part)));
+    for pair in circles.windows(2) {
+        for (i, (a, b)) in
+            pair[0].1.iter().zip(&pair[1].1).map(|(a, b)| (depth(a), depth(b))).enumerate()
+        {
+            all.extend([a, b]);
+            let [mut inside, mut outside] = [pair[0].0, pair[1].0];
+            for _ in 0..if a.is_some() == b.is_some() { 0 } else { 20 } {
+                let middle = (inside + outside) / 2.0;
+                let seen = depth(&rays(middle)[i]);
+                all.push(seen);
+                if seen.is_some() == a.is_some() { inside = middle } else { outside = middle }
+            }
+        }
+    }
+    all
+}
+
 /// The smallest and the largest of what rays around a pixel see.
 fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
@@ -106,14 +132,8 @@ where
             let at = got.into_iter().chain(want).fold(0.0, f64::max);
             let (silhouette, allowed) = (silhouette::<S>(view, at), tolerance::<S>(view, at));
 
-            // The disc, on circles in it as well: it may be cut by an edge.
             let around = || {
-                [1.0, 0.3, 0.1, 0.03, 0.01]
-                    .map(|part| rays_near::<S>(view, pixel, size, silhouette * part))
-                    .as_flattened()
-                    .iter()
-                    .map(depth)
-                    .collect::<Vec<_>>()
+                depths_around(|part| rays_near::<S>(view, pixel, size, silhouette * part), depth)
             };
             match (got, want) {
                 (None, None) => {}
