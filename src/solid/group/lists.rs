@@ -270,3 +270,138 @@ impl<R> GroupRow<[Member<R>]> {
 fn column(index: u32) -> u16 {
     u16::try_from(index).unwrap_or(u16::MAX)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geom::{Column, Extent};
+    use crate::solid::Shape;
+    use crate::solid::row::Look;
+    use crate::span::{Face, SpanStack};
+    use proptest::prelude::*;
+    use std::vec::Vec;
+
+    /// What is seen exactly in some rows, and there in some columns: without the room that primitives
+    /// leave for rounding, in which a column too many or too few would be lost.
+    #[derive(Debug, Clone, Copy)]
+    struct Bar {
+        rows: [i32; 2],
+        extents: [Extent; 2],
+    }
+
+    #[derive(Debug, Clone, Copy)]
+    struct Anywhere;
+
+    #[derive(Debug, Clone, Copy)]
+    struct BarRow([Extent; 2]);
+
+    impl Blank for Anywhere {
+        const BLANK: Self = Self;
+    }
+
+    impl Blank for BarRow {
+        const BLANK: Self = Self([Extent::EMPTY; 2]);
+    }
+
+    impl Bar {
+        fn is_at(&self, y: i32, column: u32) -> bool {
+            (self.rows[0]..=self.rows[1]).contains(&y)
+                && self.extents.iter().any(|extent| extent.contains(column))
+        }
+    }
+
+    impl Shape for Bar {
+        type Scalar = f32;
+        const SPANS: usize = 0;
+        const STACK: usize = 0;
+        const FACES: u16 = 0;
+    }
+
+    impl Project<()> for Bar {
+        type View = Anywhere;
+        type Row = BarRow;
+
+        fn view(&self, (): &(), _: &mut Anywhere) {}
+
+        fn is_in_rows(&self, _: &Anywhere, [first, last]: [i32; 2]) -> bool {
+            self.rows[0] <= last && first <= self.rows[1]
+        }
+
+        fn row(&self, _: &Anywhere, y: i32, _: u32, row: &mut BarRow) {
+            let is_here = (self.rows[0]..=self.rows[1]).contains(&y);
+            row.0 = if is_here { self.extents } else { [Extent::EMPTY; 2] };
+        }
+
+        fn outlook(row: &BarRow, column: u32) -> Outlook {
+            let [one, other] = row.0.map(|extent| Outlook::of(extent, column));
+            Outlook { is_there: one.is_there || other.is_there, until: one.until.min(other.until) }
+        }
+
+        fn enter(row: &mut BarRow, column: u32) -> Outlook {
+            Self::outlook(row, column)
+        }
+
+        fn spans_at(
+            &self,
+            _: &Anywhere,
+            _: &BarRow,
+            _: Column,
+            _: Face,
+            _: &mut SpanStack<'_, f32>,
+        ) {
+        }
+
+        fn holds(&self, _: &Anywhere, _: &mut BarRow, _: i32, _: f32) -> bool {
+            false
+        }
+
+        fn look(&self, _: &Anywhere, _: &mut BarRow, _: i32, _: f32, _: Face) -> Look<f32> {
+            Look::EMPTY
+        }
+    }
+
+    fn bar() -> impl Strategy<Value = Bar> {
+        let extent = || {
+            (0..40u32, 0..12u32).prop_map(|(start, length)| Extent { start, end: start + length })
+        };
+        ([extent(), extent()], -40..40i32, 0..50i32)
+            .prop_map(|(extents, from, height)| Bar { rows: [from, from + height], extents })
+    }
+
+    proptest! {
+        /// In every column that is asked for, in whatever order, the run's list is that of the elements
+        /// there, and as long as it says nothing changes.
+        #[test]
+        fn a_run_has_what_is_there(
+            bars in prop::array::uniform9(bar()),
+            rows in prop::collection::vec((-50..50i32, prop::collection::vec(0..56u32, 1..30)), 1..12),
+            is_in_order: bool,
+        ) {
+            let mut group = GroupRow::<[Member<BarRow>; 9]>::BLANK;
+            let group = group.as_slice_mut();
+            for (y, mut columns) in rows {
+                if is_in_order {
+                    columns = (0..56).collect();
+                }
+                group.set::<(), Bar>(&bars, &[Anywhere; 9], y, 56);
+                for column in columns {
+                    let there = |column: u32| -> Vec<u16> {
+                        (0..9).filter(|&i| bars[usize::from(i)].is_at(y, column)).collect()
+                    };
+                    let outlook = group.enter::<(), Bar>(column);
+                    let mut list = Vec::new();
+                    let mut index = group.first;
+                    while let Some(member) = group.members.get(usize::from(index)) {
+                        list.push(index);
+                        index = member.next;
+                    }
+                    prop_assert_eq!(&list, &there(column), "row {}, column {}", y, column);
+                    prop_assert_eq!(outlook.is_there, !list.is_empty());
+                    for later in column + 1..outlook.until.min(56) {
+                        prop_assert_eq!(&list, &there(later), "row {}, columns {} to {}", y, column, later);
+                    }
+                }
+            }
+        }
+    }
+}
