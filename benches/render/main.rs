@@ -158,13 +158,13 @@ fn measure(subjects: Vec<Subject>, rounds: usize) -> Result<Rounds, String> {
     for subject in &subjects {
         let Subject { scene, camera, number, .. } = subject;
         let cover = subject.checked_cover()?;
-        labels.push(format!("{scene:15}  {camera:12}  {number:6} {cover:5.0} %"));
+        labels.push(format!("{scene:15} {camera:12} {number:6} {cover:5.0} %"));
     }
     let times = Rounds::of(subjects.into_iter().flat_map(Subject::passes).collect(), rounds);
     for (i, label) in labels.into_iter().enumerate() {
         let [rows, lists, naive] = [0, 1, 2].map(|way| fastest(&times, 3 * i + way));
         println!(
-            "{label}{rows:8.1}{lists:9.1} {:4.1}x{naive:9.1} {:4.1}x",
+            "{label}{rows:7.1}{lists:9.1} {:4.1}x{naive:9.1} {:4.1}x",
             lists / rows,
             naive / rows,
         );
@@ -199,7 +199,7 @@ fn run(args: &Args) -> Result<(), String> {
         "ns per pixel of {width}x{height} pixels, Gray8, Lambert; fastest of {rounds} rounds\n"
     );
     println!(
-        "{:15}  {:12}  {:6}{:>8}{:>8}{:>9} {:>5}{:>9} {:>5}",
+        "{:15} {:12} {:6}{:>8}{:>7}{:>9} {:>5}{:>9} {:>5}",
         "scene", "camera", "number", "covered", "rows", "lists", "/rows", "naive", "/rows"
     );
     measure(Subject::tees::<f32>(size).into(), rounds)?;

@@ -126,6 +126,11 @@ impl Accuracy {
 }
 
 impl Accuracy {
+    /// Answers of NaN, panics, and valid rays not taken.
+    pub fn other(&self) -> usize {
+        self.nans + self.panics + self.refused
+    }
+
     /// The errors of t_in or t_out in ulps of an `f32`, whatever the method counts in.
     pub fn in_ulps(&self, end: usize) -> &[f64] {
         if self.converted[end].is_empty() { &self.errors[end] } else { &self.converted[end] }

@@ -64,7 +64,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     let curves = if quick { 20 } else { 400 };
     let splines = splines::Results::measure(curves, rounds)?;
     println!(
-        "\nAt least {} points of each kind of curves; time as a multiple of enterpolation's.",
+        "\nAt least {} points of each kind of curves; time by enterpolation's.",
         splines.points
     );
     print!("{}", splines::table(&splines));

@@ -34,42 +34,29 @@ pub fn table(results: &Results) -> String {
         let in_unit = [format!("t_in ({unit})"), format!("t_out ({unit})")];
         let _ = writeln!(
             text,
-            "\n{:24}{:>11}{:>24}{:>12}{:>18}",
+            "\n{:24}{:>9}{:>21}{:>15}",
             method.label(),
             in_unit[0],
             in_unit[1],
             "false",
-            "not"
         );
         let _ = writeln!(
             text,
-            "{:10}{:>6}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>6}{:>6}{:>6}{:>6}{:>6}",
-            "",
-            "time",
-            "p50",
-            "p99",
-            "max",
-            "p50",
-            "p99",
-            "max",
-            "hit",
-            "miss",
-            "NaN",
-            "panic",
-            "taken"
+            "{:8}{:>6}{:>7}{:>7}{:>7}{:>7}{:>7}{:>7}{:>8}{:>7}{:>7}",
+            "", "time", "p50", "p99", "max", "p50", "p99", "max", "hit", "miss", "other"
         );
         for (group, name) in Group::ALL {
             let summary = results.summary(i, group);
-            let Accuracy { errors, false_hits, false_misses, nans, panics, refused, .. } =
-                &summary.accuracy;
-            let _ = write!(text, "{name:10}{:>6}", or_dash(summary.ratio));
+            let Accuracy { errors, false_hits, false_misses, .. } = &summary.accuracy;
+            let _ = write!(text, "{name:8}{:>6}", or_dash(summary.ratio));
             for column in errors.iter().flat_map(|errors| columns(errors)) {
-                let _ = write!(text, "{column:>8}");
+                let _ = write!(text, "{column:>7}");
             }
-            let _ =
-                writeln!(text, "{false_hits:>6}{false_misses:>6}{nans:>6}{panics:>6}{refused:>6}");
+            let other = summary.accuracy.other();
+            let _ = writeln!(text, "{false_hits:>8}{false_misses:>7}{other:>7}");
         }
     }
+    text.push_str("\nOther: answers of NaN, panics, and valid rays not taken.\n");
     text
 }
 
@@ -149,7 +136,7 @@ pub fn markdown(results: &Results) -> String {
             let accuracy = &summary.accuracy;
             let Accuracy { errors, asked, false_hits, false_misses, .. } = accuracy;
             let [t_in, t_out] = [0, 1].map(|end| columns(&errors[end]).join(" / "));
-            let other = accuracy.nans + accuracy.panics + accuracy.refused;
+            let other = accuracy.other();
             let p99 = |end| percentiles(accuracy.in_ulps(end)).map(|[_, p99, _]| p99);
             let _ = writeln!(
                 text,

@@ -58,13 +58,13 @@ pub fn table(results: &Results) -> String {
     for (title, lines) in tables(results) {
         let _ = writeln!(
             text,
-            "\n{title:44}{:>8}{:>6}{:>5}{:>8}{:>8}{:>8}{:>9}",
-            "points", "time", "", "p50", "p99", "max", "missing"
+            "\n{title}\n{:20}{:>8}{:>6}{:>5}{:>8}{:>8}{:>8}{:>9}",
+            "", "points", "time", "", "p50", "p99", "max", "missing"
         );
         for Line { label, points, time, errors: [p50, p99, max], unit, missing } in lines {
             let _ = writeln!(
                 text,
-                "  {label:42}{points:>8}{time:>6}{unit:>5}{p50:>8}{p99:>8}{max:>8}{missing:>9}"
+                "  {label:18}{points:>8}{time:>6}{unit:>5}{p50:>8}{p99:>8}{max:>8}{missing:>9}"
             );
         }
     }

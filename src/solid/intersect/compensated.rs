@@ -144,6 +144,27 @@ mod tests {
                 prop_assert!((f64::from(*got) - want).abs() < 6.0 * ulp, "{got} not {want}");
             }
         }
+
+        /// Near a tangent, k and D lose what the rounded distance from the axis has lost.
+        #[test]
+        fn grazing_beside_the_origin_as_well(
+            [y, z] in [-3f32..3.0, -3f32..3.0], r in 0.5f32..1.5, depth in -6f32..-2.0,
+            back in 2f32..8.0, angle in 0f32..6.3, tilt in -0.5f32..0.5,
+        ) {
+            let (sin, cos) = (angle.sin(), angle.cos());
+            let distance = r * (1.0 - 10f32.powf(depth));
+            let o = [0.0, y + distance * cos - back * sin, z + distance * sin + back * cos];
+            let d = [tilt, sin, -cos];
+            let got = spans!(f32, o, d, [y, z, r]);
+            let want = spans!(f64, o, d, [y, z, r]);
+            // A ray that misses by what its own numbers are rounded to may be either.
+            prop_assume!(want.len() == 1);
+            prop_assert_eq!(got.len(), 1);
+            for (got, want) in got.iter().flatten().zip(want.iter().flatten()) {
+                let ulp = f64::from((*want as f32).abs().next_up()) - f64::from((*want as f32).abs());
+                prop_assert!((f64::from(*got) - want).abs() < 6.0 * ulp, "{got} not {want}");
+            }
+        }
     }
 
     /// Where `f64` shows the difference in c half-way between two `f32`, it's rounded in another way.
