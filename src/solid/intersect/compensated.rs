@@ -149,7 +149,7 @@ mod tests {
         #[test]
         fn grazing_beside_the_origin_as_well(
             [y, z] in [-3f32..3.0, -3f32..3.0], r in 0.5f32..1.5, depth in -6f32..-2.0,
-            back in 2f32..8.0, angle in 0f32..6.3, tilt in -0.5f32..0.5,
+            back in prop_oneof![2f32..8.0, -0.5f32..0.5, -0.01f32..0.01], angle in 0f32..6.3, tilt in -0.5f32..0.5,
         ) {
             let (sin, cos) = (angle.sin(), angle.cos());
             let distance = r * (1.0 - 10f32.powf(depth));
@@ -157,9 +157,13 @@ mod tests {
             let d = [tilt, sin, -cos];
             let got = spans!(f32, o, d, [y, z, r]);
             let want = spans!(f64, o, d, [y, z, r]);
+            // Near (0, 0, 0), a line is counted from there, and parameters near 0 are rounded as it is.
+            prop_assume!((o[1] * d[2] - o[2] * d[1]).abs() > 0.1);
             // A ray that misses by what its own numbers are rounded to may be either.
             prop_assume!(want.len() == 1);
             prop_assert_eq!(got.len(), 1);
+            // Nor is more known of an end that the ray starts in than of its start.
+            prop_assume!(want[0].iter().all(|t| t.abs() > 1e-4));
             for (got, want) in got.iter().flatten().zip(want.iter().flatten()) {
                 let ulp = f64::from((*want as f32).abs().next_up()) - f64::from((*want as f32).abs());
                 prop_assert!((f64::from(*got) - want).abs() < 6.0 * ulp, "{got} not {want}");
