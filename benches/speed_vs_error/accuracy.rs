@@ -97,7 +97,8 @@ impl Accuracy {
         // A ray that truly misses has no place where its point should be.
         if let (Some(point), Some(true)) = (method.point, truth.robust_hit) {
             let unit = (method.inputs.point_unit)(query);
-            self.points.extend(point(query).map(|point| off_surface(query, point) / unit));
+            let is_fixed = method.inputs.is_exact;
+            self.points.extend(point(query).map(|at| off_surface(query, at, is_fixed) / unit));
         }
     }
 
@@ -137,11 +138,14 @@ impl Accuracy {
     }
 }
 
-/// The distance of a point from the face that it is said to lie on.
-fn off_surface(query: &Query, (point, on_wall): ([f64; 3], bool)) -> f64 {
+/// The distance of a point from the face that it is said to lie on: in fixed point, from the wall or
+/// plane that the face is of, because along it a unit of the parameter is as long as the direction.
+fn off_surface(query: &Query, (point, on_wall): ([f64; 3], bool), is_fixed: bool) -> f64 {
     let [x, y, z] = point;
-    let distance = if on_wall { y.hypot(z) - query.radius } else { x.abs() - query.half_length };
-    distance.abs()
+    let (outside_wall, beyond_cap) = (y.hypot(z) - query.radius, x.abs() - query.half_length);
+    let (off, beyond) =
+        if on_wall { (outside_wall, beyond_cap) } else { (beyond_cap, outside_wall) };
+    if is_fixed { off.abs() } else { off.hypot(beyond.max(0.0)) }
 }
 
 /// Median, 99th percentile (by nearest rank) and maximum; `None` of nothing.
