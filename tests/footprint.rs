@@ -8,27 +8,30 @@ mod scene;
 use scene::{Scene, Tee};
 
 use core::mem::size_of_val;
-use scancsg::geom::Parallel;
-use scancsg::render::{Gray8, Lambert, Picture, PixelFormat, Size};
+use scancsg::geom::Rays;
+use scancsg::render::{Camera, Gray8, Lambert, Picture, PixelFormat, Size};
 use scancsg::scalar::I16F16;
 use scancsg::solid::Project;
 use scancsg::stream::packet_capacity;
 
-fn size<S: Scene>() -> usize
+fn size<S: Scene, C>(camera: &C) -> usize
 where
-    Tee<S>: Project<Parallel<S>, Scalar = S>,
+    C: Camera<Rays: Rays<Scalar = S>>,
+    Tee<S>: Project<C::Rays, Scalar = S>,
 {
-    let camera = S::orthographic().unwrap();
     let light = Lambert::new(S::TO_LIGHT, S::hundredths(15)).unwrap();
     let size = Size::new(160, 120).unwrap();
     let tee = S::TEE;
-    size_of_val(&Picture::new(&tee, &camera, size, light, Gray8(0)))
+    size_of_val(&Picture::new(&tee, camera, size, light, Gray8(0)))
 }
 
 #[test]
 fn a_render_of_tee_needs_little_memory() {
-    let [single, fixed] = [size::<f32>(), size::<I16F16>()];
+    let single = size(&f32::orthographic().unwrap());
+    let fixed = size(&I16F16::orthographic().unwrap());
     println!("picture: {single} bytes in f32, {fixed} in I16F16");
+    let perspective = [size(&f32::perspective().unwrap()), size(&I16F16::perspective().unwrap())];
+    println!("in perspective: {} bytes in f32, {} in I16F16", perspective[0], perspective[1]);
     // Pointers are half as long on a microcontroller.
     assert!(single <= 1280, "{single}");
     assert!(fixed <= 2048, "{fixed}");
