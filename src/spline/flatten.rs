@@ -47,7 +47,9 @@ pub(super) struct Walk<'a, P: Point, const K: usize> {
 
 impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N> {
     /// A polyline, from the beginning of the curve to its end, that is nowhere farther from it
-    /// than `tolerance`: in fixed point, and a unit for rounding.
+    /// than `tolerance` and what its vertices are rounded by: in fixed point a unit, in floating point, by
+    /// de Boor's algorithm, up to 5 units in the last place of the largest coordinate of the control
+    /// points for orders up to 4.
     ///
     /// Each span is divided evenly, in as many parts as it needs: with a second derivative of no
     /// more than M over a length h in the parameter, a chord is within M h²/8 of the curve (Piegl

@@ -332,7 +332,12 @@ fn no_parameter_is_too_strange() {
 
 /// Every point of the curve is near the polyline.
 fn flat<S: Numeric, const K: usize>(tolerance: f64) {
-    curves::<S, K>(0.0, 10.0, |curve, Rounded { t, .. }| {
+    flat_at::<S, K>(0.0, 10.0, tolerance, 2.0);
+}
+
+/// The same, with so many units in the last place of the largest coordinate for rounding.
+fn flat_at<S: Numeric, const K: usize>(offset: f64, size: f64, tolerance: f64, units: f64) {
+    curves::<S, K>(offset, size, |curve, Rounded { t, .. }| {
         let vertices: Vec<_> = curve.flatten(S::of(tolerance)).unwrap().take(100_000).collect();
         let domain = curve.domain();
         prop_assert_eq!(vertices.first().unwrap().t, domain.from);
@@ -348,7 +353,11 @@ fn flat<S: Numeric, const K: usize>(tolerance: f64) {
                 (x - ax - along * dx).hypot(y - ay - along * dy)
             });
         let distance = nearest.fold(f64::MAX, f64::min);
-        prop_assert!(distance <= tolerance * 1.0001 + 2.0 * S::ulp(10.0), "{}", distance);
+        prop_assert!(
+            distance <= tolerance * 1.0001 + units * S::ulp(offset + size),
+            "{}",
+            distance
+        );
         let lengths: Vec<_> = curve.lengths(S::of(tolerance)).unwrap().take(100_000).collect();
         prop_assert_eq!(lengths.len(), vertices.len());
         prop_assert!(lengths.windows(2).all(|pair| pair[0].1 <= pair[1].1));
@@ -363,6 +372,9 @@ fn polylines_keep_to_their_tolerance() {
     flat::<f32, 4>(0.001);
     flat::<f64, 4>(0.01);
     flat::<I16F16, 4>(0.01);
+    // A tolerance of less than a unit: 5 of the vertices, and 1 of the curve.
+    flat_at::<f32, 3>(1e6, 1.0, 0.01, 6.0);
+    flat_at::<f32, 4>(1e6, 1.0, 0.01, 6.0);
 }
 
 /// The chords of a long polyline add up to the last digit.
