@@ -80,7 +80,7 @@ fn misrounded(accuracy: &Accuracy) -> f64 {
 }
 
 fn unanswered(accuracy: &Accuracy) -> f64 {
-    (accuracy.nans + accuracy.panics + accuracy.refused) as f64
+    accuracy.other() as f64
 }
 
 fn bad(accuracy: &Accuracy) -> f64 {

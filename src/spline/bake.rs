@@ -82,7 +82,7 @@ const fn largest<const K: usize>(polynomial: &[Long; K], first: f64) -> f64 {
 
 /// h², where a piece's local parameters `t·scale + shift` are from about −h to h. 0 for a piece of a few
 /// units, whose origin is at an end of it: large coefficients don't make up for one another there.
-const fn square_of_half(scale: f64, shift: f64, start: f64, stop: f64) -> f64 {
+const fn square_of_half(scale: f64, shift: f64, [start, stop]: [f64; 2]) -> f64 {
     let (low, high) = ((start * scale + shift).abs(), (stop * scale + shift).abs());
     let half = low.max(high);
     if low.min(high) > 0.25 { half * half } else { 0.0 }
@@ -177,7 +177,8 @@ macro_rules! floats {
                 [start, stop]: [$Float; 2],
             ) -> Result<(FloatFrame<$Float>, [[$Float; D]; K], [(); D]), CurveError> {
                 let mut coefficients = [[0.0; D]; K];
-                let square = square_of_half(frame.scale as f64, frame.shift as f64, start as f64, stop as f64);
+                let (scale, shift) = (frame.scale as f64, frame.shift as f64);
+                let square = square_of_half(scale, shift, [start as f64, stop as f64]);
                 let mut d = 0;
                 while d < D {
                     let mut rest = polynomials[d];

@@ -207,7 +207,7 @@ pub(super) fn falling(i: usize, order: usize) -> i64 {
 }
 
 /// The lowest order whose rounding errors take more than Horner's rule to be small.
-pub(super) const HIGH: usize = 6;
+const HIGH: usize = 6;
 
 /// As [`Blend::sums`].
 #[inline]

@@ -252,59 +252,70 @@ fn views() -> impl Strategy<Value = Views> {
     })
 }
 
-/// Primitives that a tree is built of.
+/// What a tree is built of: rods, balls and slabs, and a group of rods drilled by another one.
 #[derive(Debug, Clone)]
-struct Leaves<S: Tested> {
-    rods: [Cylinder<S>; 8],
-    balls: [Sphere<S>; 4],
-    slabs: [Slab<S>; 3],
+struct Leaves<R, B, L> {
+    r: [R; 8],
+    b: [B; 4],
+    s: [L; 3],
+    bored: Difference<[R; 2], [R; 2]>,
 }
 
-impl<S: Tested> Leaves<S> {
+impl<R: Copy, B, L> Leaves<R, B, L> {
+    fn new(r: [R; 8], b: [B; 4], s: [L; 3]) -> Self {
+        Self { r, b, s, bored: Difference::new([r[0], r[1]], [r[2], r[3]]) }
+    }
+}
+
+type Drawn<S> = Leaves<Cylinder<S>, Sphere<S>, Slab<S>>;
+
+impl<S: Tested> Drawn<S> {
     fn drawn(
         rod: impl Strategy<Value = Cylinder<S>>,
         ball: impl Strategy<Value = Sphere<S>>,
         slab: impl Strategy<Value = Slab<S>>,
     ) -> impl Strategy<Value = Self> {
         use proptest::array::{uniform3, uniform4, uniform8};
-        (uniform8(rod), uniform4(ball), uniform3(slab)).prop_map(|(rods, balls, slabs)| Self {
-            rods,
-            balls,
-            slabs,
-        })
+        (uniform8(rod), uniform4(ball), uniform3(slab)).prop_map(|(r, b, s)| Self::new(r, b, s))
     }
 
     /// Trees of all operations; operands of each kind on either side; groups of primitives and of trees,
     /// inside of each other; what is painted and what is placed.
-    fn check(self, views: &Views) -> Result<u32, TestCaseError> {
+    fn check(&self, views: &Views) -> Result<u32, TestCaseError> {
         let pose =
             Pose::rotation_z(S::near(0.5)).then(&Pose::translation(vector([0.5, -1.0, 0.5])));
         let all =
-            (self.rods.map(Everywhere), self.balls.map(Everywhere), self.slabs.map(Everywhere));
+            Leaves::new(self.r.map(Everywhere), self.b.map(Everywhere), self.s.map(Everywhere));
+        // A tree of these, and the same of those that are everywhere.
         macro_rules! check {
-            ($([$r:ident $b:ident $s:ident $bored:ident] $tree:expr;)+) => {
+            (|$of:ident| $($tree:expr;)+) => {
                 [$({
-                    let ($r, $b, $s) = (self.rods, self.balls, self.slabs);
-                    let $bored = Difference::new([$r[0], $r[1]], [$r[2], $r[3]]);
-                    let _ = (&$b, &$s, &$bored); // not all trees have all of them
+                    let $of = self;
                     let solid = $tree;
-                    let ($r, $b, $s) = all;
-                    let $bored = Difference::new([$r[0], $r[1]], [$r[2], $r[3]]);
-                    let _ = (&$b, &$s, &$bored); // not all trees have all of them
+                    let $of = &all;
                     views.check(&solid, &$tree)?
                 }),+]
             };
         }
-        let counts = check! {
-            [r b s bored] Difference::new([r[0], r[1], r[2], r[3]], [r[4], r[5], r[6], r[7]]);
-            [r b s bored] ((r[0] | b[0]) & s[0]) - (b[1] - (r[1] | s[1]));
-            [r b s bored] (s[0] & (b[0] | b[1] | b[2] | b[3])) | (r[0] - s[1]) | ((r[1] & s[2]) - r[2]);
-            [r b s bored] (r[0] - (r[1] - (r[2] - (r[3] - (b[0] & s[0]))))) | (s[1] - s[2]);
-            [r b s bored] [r[0] - b[0], r[1] - b[1], r[2] - b[2], r[3] - b[3]];
-            [r b s bored] Difference::new([[r[0], r[1]], [r[2], r[3]]], [r[4] & s[0], r[5] & s[1], r[6] & s[2]]);
-            [r b s bored] Intersection::new([b[0], b[1], b[2], b[3]], [r[0] | r[1], r[2] | r[3]]);
-            [r b s bored] painted(r[0]) | (painted(r[1]) - Placed::new(&bored, pose));
-            [r b s bored] Placed::new(&r[0], pose) & (b[0] | (Placed::new(&b[1], pose) - s[0]));
+        let counts = check! { |of|
+            Difference::new(
+                [of.r[0], of.r[1], of.r[2], of.r[3]],
+                [of.r[4], of.r[5], of.r[6], of.r[7]],
+            );
+            ((of.r[0] | of.b[0]) & of.s[0]) - (of.b[1] - (of.r[1] | of.s[1]));
+            (of.s[0] & (of.b[0] | of.b[1] | of.b[2] | of.b[3]))
+                | (of.r[0] - of.s[1])
+                | ((of.r[1] & of.s[2]) - of.r[2]);
+            (of.r[0] - (of.r[1] - (of.r[2] - (of.r[3] - (of.b[0] & of.s[0])))))
+                | (of.s[1] - of.s[2]);
+            [of.r[0] - of.b[0], of.r[1] - of.b[1], of.r[2] - of.b[2], of.r[3] - of.b[3]];
+            Difference::new(
+                [[of.r[0], of.r[1]], [of.r[2], of.r[3]]],
+                [of.r[4] & of.s[0], of.r[5] & of.s[1], of.r[6] & of.s[2]],
+            );
+            Intersection::new(of.b, [of.r[0] | of.r[1], of.r[2] | of.r[3]]);
+            painted(of.r[0]) | (painted(of.r[1]) - Placed::new(&of.bored, pose));
+            Placed::new(&of.r[0], pose) & (of.b[0] | (Placed::new(&of.b[1], pose) - of.s[0]));
         };
         Ok(counts.into_iter().sum())
     }
@@ -334,7 +345,7 @@ fn trees_of_whatever_touches<S: Tested>() {
         let [low, high] = [low, low + f64::from(wide) / 2.0].map(S::near);
         S::slab_along(axis, low, high).unwrap()
     });
-    check_trees(Leaves::drawn(rod, round, slab));
+    check_trees(Drawn::drawn(rod, round, slab));
 }
 
 /// Along any direction, anywhere.
@@ -348,10 +359,10 @@ fn trees_of_whatever_lies_askew<S: Tested>() {
     let slab = (direction(), -1.0..0.5f64, 0.2..1.5f64).prop_map(|(normal, low, wide)| {
         S::slab(vector(normal), S::near(low), S::near(low + wide)).unwrap()
     });
-    check_trees(Leaves::drawn(rod, round, slab));
+    check_trees(Drawn::drawn(rod, round, slab));
 }
 
-fn check_trees<S: Tested>(leaves: impl Strategy<Value = Leaves<S>>) {
+fn check_trees<S: Tested>(leaves: impl Strategy<Value = Drawn<S>>) {
     let crossings = Cell::new(0);
     proptest!(ProptestConfig::with_cases(60), |(leaves in leaves, views in views())| {
         crossings.set(crossings.get() + leaves.check(&views)?);

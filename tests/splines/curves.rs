@@ -5,7 +5,7 @@ use super::number::{Numeric, error};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use scancsg::scalar::I16F16;
-use scancsg::spline::{CurveError, Outside};
+use scancsg::spline::Outside;
 use std::cell::Cell;
 
 pub const POINTS: usize = 9;
@@ -251,32 +251,6 @@ fn baked_curves_in_fixed_point() {
         worst::<I16F16, 4>(offset, size, 0.6, Form::Baked(1));
     }
     worst::<I16F16, 6>(0.0, 20.0, 0.6, Form::Baked(1));
-}
-
-/// Control points that near never are too far apart.
-#[test]
-fn cubics_that_can_always_be_baked() {
-    runner()
-        .run(&full_size(4, 25.0), |case| {
-            let Rounded { knots, points, t } = case.rounded::<I16F16>(4);
-            let knots = I16F16::knots::<4, KNOTS>(&knots);
-            let Ok(curve) = I16F16::curve::<4, POINTS, KNOTS>(knots.unwrap(), &points) else {
-                return Err(TestCaseError::reject("empty"));
-            };
-            prop_assert!(I16F16::at_baked(&curve, 1, 0, t, Outside::Error).is_ok());
-            Ok(())
-        })
-        .unwrap();
-    // The farthest of all, over one span of a power of two; and in halves.
-    let cubic = |size: i16| {
-        let knots = [0i16, 0, 0, 0, 4, 4, 4, 4].map(I16F16::from);
-        let points = [size, -size, size, -size].map(|x| [I16F16::from(x); 2]);
-        let curve = I16F16::curve::<4, 4, 8>(I16F16::knots::<4, 8>(&knots).unwrap(), &points);
-        let curve = curve.unwrap();
-        [curve.bake::<1>().err(), curve.bake::<2>().err()]
-    };
-    assert_eq!(cubic(25), [None; 2]);
-    assert_eq!(cubic(200), [Some(CurveError::TooFar), None]);
 }
 
 /// A line that jumps from 2 to 5 at zero.

@@ -5,7 +5,7 @@ use super::exact::{self, Ratio};
 use super::number::{Numeric, error};
 use proptest::prelude::*;
 use scancsg::scalar::I16F16;
-use scancsg::spline::{Curve, Knots, Outside, Vertex};
+use scancsg::spline::{Curve, CurveError, Knots, Outside, Vertex};
 use std::cell::Cell;
 
 pub type Made<S, const K: usize> = Curve<[S; 2], K, POINTS, KNOTS>;
@@ -434,6 +434,25 @@ fn baked_curves_are_the_editable_ones() {
     forms::<I16F16, 2>(75.0, 1.0);
     forms::<I16F16, 3>(75.0, 1.0);
     forms::<I16F16, 4>(75.0, 1.0);
+}
+
+/// Control points that near never are too far apart.
+#[test]
+fn cubics_that_can_always_be_baked() {
+    curves_of::<I16F16, 4>(full_size(4, 25.0), |curve, Rounded { t, .. }| {
+        prop_assert!(I16F16::at_baked(&curve, 1, 0, t, Outside::Error).is_ok());
+        Ok(())
+    });
+    // The farthest of all, over one span of a power of two; and in halves.
+    let cubic = |size: i16| {
+        let knots = [0i16, 0, 0, 0, 4, 4, 4, 4].map(I16F16::from);
+        let points = [size, -size, size, -size].map(|x| [I16F16::from(x); 2]);
+        let curve = I16F16::curve::<4, 4, 8>(I16F16::knots::<4, 8>(&knots).unwrap(), &points);
+        let curve = curve.unwrap();
+        [curve.bake::<1>().err(), curve.bake::<2>().err()]
+    };
+    assert_eq!(cubic(25), [None; 2]);
+    assert_eq!(cubic(200), [Some(CurveError::TooFar), None]);
 }
 
 /// Of knots 2⁻¹²⁰ and 2⁻¹⁰⁰ times as far apart, down to the smallest numbers that there are.

@@ -136,13 +136,13 @@ fn half_way<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>, faces: &mut [Face;
 #[cold]
 #[inline(never)]
 fn carefully<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>, faces: &mut [Face; 2]) -> Inside<S> {
-    pass(cylinder, line, meet(cylinder, line), faces)
+    between_any_caps(cylinder, line, meet(cylinder, line), faces)
 }
 
 /// What is between the caps of any line's part inside the wall.
 #[cold]
 #[inline(never)]
-fn pass<S: Float>(
+fn between_any_caps<S: Float>(
     cylinder: &Cylinder<S>,
     line: &Line<S>,
     inside: Inside<S>,
@@ -174,7 +174,7 @@ fn between_caps<S: Float>(
     if enter < exit || speed != S::ZERO {
         (enter, exit)
     } else {
-        pass(cylinder, line, inside, faces)
+        between_any_caps(cylinder, line, inside, faces)
     }
 }
 

@@ -39,6 +39,14 @@ pub trait Intersect: Scalar {
     fn pass(slab: &Slab<Self>, line: &Line<Self>) -> Passage<Self>;
 }
 
+/// How many units in the last place of the true number, or of `least` if that is larger, another one
+/// is off.
+#[cfg(test)]
+fn units_off(got: f32, want: f64, least: f32) -> f64 {
+    let size = (want as f32).abs().max(least);
+    (f64::from(got) - want).abs() / (f64::from(size.next_up()) - f64::from(size))
+}
+
 /// Where a line meets the wall of a tube.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Meeting<S> {

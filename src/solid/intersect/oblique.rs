@@ -116,6 +116,7 @@ mod tests {
     use super::*;
     use crate::geom::vec3;
     use crate::scalar::Scalar;
+    use crate::solid::intersect::units_off;
     use proptest::prelude::*;
 
     macro_rules! meet {
@@ -159,9 +160,7 @@ mod tests {
             if want.0 <= want.1 {
                 for (got, want) in [(got.0, want.0), (got.1, want.1)] {
                     // Of an end that the line starts in, no more is known than of its start.
-                    let size = (want as f32).abs().max(0.01);
-                    let ulp = f64::from(size.next_up()) - f64::from(size);
-                    prop_assert!((f64::from(got) - want).abs() < 8.0 * ulp, "{got} not {want}");
+                    prop_assert!(units_off(got, want, 0.01) < 8.0, "{got} not {want}");
                 }
             }
         }
