@@ -16,7 +16,7 @@ use core::ops::Range;
 /// with B-splines*, Journal of Approximation Theory 6, 1972): control points are blended two by two,
 /// in fixed point with 28 guard bits. In `f32`, polynomials in whole numbers follow when a control
 /// point moves; an order up to 4 is within 1 unit in the last place of the largest coordinate of the
-/// control points, 5 within 1.5, and 6 within 2.5. That takes `C`·(4K² + 4K·D + 4D + 24) bytes for points
+/// control points, 5 within 1.5, and 6 within 2.5. That takes `C`·(4K² + 4K·D + 4D + 28) bytes for points
 /// of D coordinates. A curve with clamped ends passes through its first and last control point
 /// exactly.
 #[derive(Debug, Clone, Copy)]
