@@ -52,15 +52,18 @@ crate::error_text!(RayError {
 ///
 /// In floating point two things are done once for all solids: the direction is scaled by a power of
 /// two to a length between 1 and 4, so that directions of length 10⁻³⁰ or 10³⁰ are ordinary; and
-/// where the ray starts far from everything, its parameter is counted from the point nearest to the
-/// scene's origin instead, so that the distance doesn't use up the digits that the solids need.
-/// Fixed point needs neither.
+/// where the ray starts 256 times farther from the scene's origin than it comes near it, its
+/// parameter is counted from the point nearest to there instead, so that the distance doesn't use up
+/// the digits that the solids need. It is counted [`from_start`](Self::from_start) again where a solid
+/// turns out to be nearer to the start than to that point. Fixed point needs none of this.
 ///
 /// Parameters handed to the caller are always those of the ray as it was given.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Ray<S> {
     line: Line<S>,
+    /// Where the ray starts.
+    origin: Vec3<S>,
     /// The line's parameter at the ray's start is −`offset`.
     offset: S,
     /// Of the caller's parameter for one of the line's.
@@ -86,10 +89,10 @@ impl<S: Scalar> Ray<S> {
         if !(reach <= S::REACH && size > S::ZERO && size.is_finite() && any_length) {
             check(Vec3 { ..origin }, Vec3 { ..direction })?;
         }
-        let Rebased { origin, direction, offset, scale } =
+        let Rebased { origin: nearest, direction, offset, scale } =
             S::rebased(origin.to_array(), direction.to_array());
-        let line = Line { origin: Vec3::from(origin), direction: Vec3::from(direction) };
-        Ok(Self { line, offset, scale })
+        let line = Line { origin: Vec3::from(nearest), direction: Vec3::from(direction) };
+        Ok(Self { line, origin, offset, scale })
     }
 
     /// The line that the ray lies on, with a parameter of its own.
@@ -110,7 +113,34 @@ impl<S: Scalar> Ray<S> {
     #[must_use]
     #[inline]
     pub fn parameter(&self, of_line: S) -> S {
-        of_line.plus(self.offset).times(self.scale)
+        self.scaled(of_line.plus(self.offset))
+    }
+
+    /// The ray's parameter for one of its line that is counted from its start.
+    #[inline]
+    pub(crate) fn scaled(&self, from_start: S) -> S {
+        from_start.times(self.scale)
+    }
+
+    /// The same ray, its parameter counted from its start.
+    #[must_use]
+    #[inline]
+    pub fn from_start(&self) -> Self {
+        Self { line: Line { origin: self.origin, ..self.line }, offset: S::ZERO, ..*self }
+    }
+
+    /// Whether a point, given by the line's parameter, is nearer to the start of the ray than to where
+    /// its parameter is counted from.
+    #[inline]
+    pub(crate) fn is_near_start(&self, of_line: S) -> bool {
+        of_line.plus(self.offset).abs() < of_line.abs()
+    }
+
+    /// Whether its parameter is counted from elsewhere than its start.
+    #[inline]
+    pub(crate) fn is_moved(&self) -> bool {
+        // Known without looking in fixed point, which never does that.
+        S::SHORTEST <= S::ZERO && self.offset != S::ZERO
     }
 }
 

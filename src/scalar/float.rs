@@ -278,7 +278,8 @@ macro_rules! float {
             #[inline]
             fn with_length(vector: [Self; 3], length: Self) -> [Self; 3] {
                 // A point that is moved onto a surface is as near as this square is exact.
-                let factor = length / Real::sqrt(dot3(vector, vector));
+                let square = dot3(vector, vector);
+                let factor = if square > 0.0 { length / Real::sqrt(square) } else { 0.0 };
                 vector.map(|coordinate| coordinate * factor)
             }
 

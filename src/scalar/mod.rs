@@ -140,7 +140,7 @@ pub trait Scalar: Number {
     /// The length of a vector.
     fn length(vector: [Self; 3]) -> Self;
 
-    /// The vector of this length in the direction of another one, which is not zero.
+    /// The vector of this length in the direction of another one; zero if that is zero.
     fn with_length(vector: [Self; 3], length: Self) -> [Self; 3];
 
     /// The next smaller number, or [`LOWEST`](Self::LOWEST) if there is none.

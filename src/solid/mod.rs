@@ -28,6 +28,7 @@ mod boolean;
 mod convex;
 mod cylinder;
 mod group;
+mod hit;
 mod intersect;
 mod leaf;
 mod paint;
@@ -43,6 +44,7 @@ mod wall;
 pub use boolean::{Difference, Intersection, Union};
 pub use convex::Convex;
 pub use cylinder::{Cylinder, CylinderError};
+pub use hit::{Hit, Seen, first_seen};
 pub use intersect::Intersect;
 pub use paint::{Painted, Rgb};
 pub use pipe::{Pipe, PipeError};
@@ -52,6 +54,7 @@ pub use slab::{Slab, SlabError};
 pub use sphere::{Sphere, SphereError};
 pub use wall::{CylinderWall, WallHit};
 
+use self::hit::{is_near_start, seen_at, spans_from_start, trace_moved};
 use crate::geom::{Line, Ray, Vec3};
 use crate::scalar::Scalar;
 use crate::span::{Face, Span, SpanList, SpanStack};
@@ -131,10 +134,15 @@ pub trait Solid: Shape {
         ray: &Ray<Self::Scalar>,
         list: &'a mut SpanList<Self::Scalar, N>,
     ) -> &'a [Span<Self::Scalar>] {
+        if ray.is_moved() {
+            let (spans, _) = trace_moved(self, ray);
+            *list = spans;
+            return list.as_slice();
+        }
         self.line_spans(ray.line(), list);
         for span in list.as_mut_slice() {
-            span.enter.t = ray.parameter(span.enter.t);
-            span.exit.t = ray.parameter(span.exit.t);
+            span.enter.t = ray.scaled(span.enter.t);
+            span.exit.t = ray.scaled(span.exit.t);
         }
         list.as_slice()
     }
@@ -147,16 +155,19 @@ pub trait Solid: Shape {
         list: &mut SpanList<Self::Scalar, N>,
     ) -> Option<Hit<Self::Scalar>> {
         self.line_spans(ray.line(), list);
-        let seen = first_seen(list.as_slice(), ray.start())?;
-        let point = self.onto(seen.face, ray.line().at(seen.t));
-        let outward = self.normal(seen.face, point);
-        Some(Hit {
-            t: ray.parameter(seen.t),
-            face: seen.face,
-            point,
-            normal: if seen.inside { -outward } else { outward },
-            inside: seen.inside,
-        })
+        let again;
+        let ray = if is_near_start(ray, list) {
+            again = spans_from_start(self, ray, list);
+            &again
+        } else {
+            ray
+        };
+        let Seen { t, face, inside } = first_seen(list.as_slice(), ray.start())?;
+        let [point, normal] = seen_at(ray.line(), t, inside, |near| {
+            let point = self.onto(face, near);
+            [point, self.normal(face, point)]
+        });
+        Some(Hit { t: ray.parameter(t), face, point, normal, inside })
     }
 
     /// Fills the list with the spans of a line, in the line's own parameter.
@@ -171,47 +182,4 @@ pub trait Solid: Shape {
         }
         self.spans(line, Face(0), &mut list.stack());
     }
-}
-
-/// What a ray sees of a solid.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Hit<S> {
-    /// The ray's parameter, ≥ 0.
-    pub t: S,
-    /// The face that is seen.
-    pub face: Face,
-    /// Where, moved onto the face: its distance from there is that of its coordinates' rounding.
-    pub point: Vec3<S>,
-    /// The normal of length 1 on the side that is seen.
-    pub normal: Vec3<S>,
-    /// Whether the ray starts inside the solid, and sees the face from within.
-    pub inside: bool,
-}
-
-/// The first surface that is seen from parameter `start` on.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Seen<S> {
-    /// The line's parameter.
-    pub t: S,
-    /// The face.
-    pub face: Face,
-    /// Whether it is seen from inside the solid.
-    pub inside: bool,
-}
-
-/// Looks for the first crossing at or after `start` in a sorted list of spans.
-///
-/// Ends that lie at infinity are no surface and are passed over.
-#[must_use]
-pub fn first_seen<S: Scalar>(spans: &[Span<S>], start: S) -> Option<Seen<S>> {
-    for span in spans {
-        for (crossing, inside) in [(span.enter, false), (span.exit, true)] {
-            if crossing.t >= start && crossing.t > S::LOWEST && crossing.t < S::HIGHEST {
-                return Some(Seen { t: crossing.t, face: crossing.face, inside });
-            }
-        }
-    }
-    None
 }

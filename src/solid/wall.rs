@@ -1,6 +1,7 @@
 //! The open cylinder: a wall without caps.
 
 use super::cylinder::Cylinder;
+use super::hit::seen_at;
 use super::intersect::Intersect;
 use crate::geom::{Ray, Vec3};
 use crate::scalar::Scalar;
@@ -44,18 +45,26 @@ impl<S: Intersect> CylinderWall<S> {
     /// that starts inside. A tangent ray touches the outer face. The rim belongs to the wall.
     #[must_use]
     pub fn hit(&self, ray: &Ray<S>) -> Option<WallHit<S>> {
-        let line = ray.line();
+        let points = S::meet_wall(&self.cylinder, ray.line());
+        let is_near = |t: &Option<S>| t.is_some_and(|t| ray.is_near_start(t));
+        if ray.is_moved() && points.iter().any(is_near) {
+            let ray = ray.from_start();
+            return self.seen(&ray, S::meet_wall(&self.cylinder, ray.line()));
+        }
+        self.seen(ray, points)
+    }
+
+    /// What the ray sees of where its line enters and exits.
+    fn seen(&self, ray: &Ray<S>, [enter, exit]: [Option<S>; 2]) -> Option<WallHit<S>> {
         let Cylinder { tube, caps } = &self.cylinder;
-        let [enter, exit] = S::meet_wall(&self.cylinder, line);
-        [(enter, false), (exit, true)]
+        let (t, inner) = [(enter, false), (exit, true)]
             .into_iter()
             .filter_map(|(t, inner)| Some((t?, inner)))
-            .find(|&(t, _)| t >= ray.start())
-            .map(|(t, inner)| {
-                let point = tube.onto(&caps.normal, line.at(t));
-                let outward = tube.normal(&caps.normal, point, |normal| normal);
-                let normal = if inner { -outward } else { outward };
-                WallHit { t: ray.parameter(t), point, normal, inner }
-            })
+            .find(|&(t, _)| t >= ray.start())?;
+        let [point, normal] = seen_at(ray.line(), t, inner, |near| {
+            let point = tube.onto(&caps.normal, near);
+            [point, tube.normal(&caps.normal, point, |normal| normal)]
+        });
+        Some(WallHit { t: ray.parameter(t), point, normal, inner })
     }
 }

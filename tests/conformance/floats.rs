@@ -4,8 +4,8 @@
 use crate::number::{Tested, ball, ray, rod, spans, vector};
 use scancsg::geom::{Ray, Vec3, vec3};
 use scancsg::render::{CameraError, Orthographic, Perspective};
-use scancsg::solid::{CylinderError, Hit, Solid};
-use scancsg::span::SpanList;
+use scancsg::solid::{CylinderError, CylinderWall, Hit, Solid};
+use scancsg::span::{Face, SpanList};
 
 macro_rules! for_every_float {
     ($($test:ident),+ $(,)?) => {
@@ -20,6 +20,7 @@ macro_rules! for_every_float {
 
 for_every_float!(
     from_a_million_radii,
+    aimed_at_the_origin_by_chance,
     very_small_and_very_large_radii,
     powers_of_two_scale_t_exactly,
     enormous_and_minute_factors,
@@ -54,6 +55,44 @@ fn from_a_million_radii<S: Float>() {
             let level = ray::<S>([0.5, past, far], [0.0, 0.0, -1.0]);
             let count = spans(&rod::<S>(1.0, -2.0, 2.0), &level).len();
             assert_eq!(count, usize::from(past < 1.0), "{past} {far}");
+        }
+    }
+}
+
+/// A ray that comes near (0, 0, 0) may be counted from there, and then the sum of two parameters of the
+/// distance's size is what is left of one near its start: 65 ulps at a hundredth, and a ray that starts on
+/// a face may begin behind it.
+fn aimed_at_the_origin_by_chance<S: Float>() {
+    let mut list = SpanList::<S, 1>::new();
+    for step in 0..1000 {
+        let [x, y, z] = [2.0 + 0.001 * f64::from(step), -0.2, 0.3].map(|x| S::near(x).to_f64());
+        let ray = ray::<S>([x, y, z], [-x, -y + 1e-4, -z]);
+        for gap in [0.0, 1e-5, 1e-3, 0.1, 0.9] {
+            let top = S::near(x - gap);
+            let rod = S::along(0, [S::ZERO; 2], S::near(0.5), S::near(-3.0), top).unwrap();
+            let hit = rod.hit(&ray, &mut list).unwrap();
+            let want = (x - top.to_f64()) / x;
+            assert!((hit.t.to_f64() - want).abs() <= want * S::UNIT, "{:?} not {want}", hit.t);
+            assert_eq!((hit.face, hit.inside), (Face(1), false), "{x} {gap}");
+            let spans = spans(&rod, &ray);
+            assert_eq!((spans.len(), spans[0].0), (1, hit.t.to_f64()), "{x} {gap}");
+        }
+        // The wall from inside, and from a point on it.
+        for gap in [0.0, 1e-5, 1e-3] {
+            let radius = S::near(x + gap).up();
+            let rod =
+                S::along(1, [S::ZERO, S::near(z)], radius, S::near(-3.0), S::near(3.0)).unwrap();
+            let outwards = self::ray::<S>([x, y, z], [x, y, z]);
+            let hit = CylinderWall::of(&rod).hit(&outwards).unwrap();
+            // (x + tx)² + (tz)² = r², with r near to x, by Newton's steps.
+            let r = radius.to_f64();
+            let mut want = 0.0;
+            for _ in 0..60 {
+                let value = (x - r) * (x + r) + want * (2.0 * x * x + want * (x * x + z * z));
+                want -= value / (2.0 * (x * x + want * (x * x + z * z)));
+            }
+            assert!((hit.t.to_f64() / want - 1.0).abs() <= 4.0 * S::UNIT, "{:?} not {want}", hit.t);
+            assert!(hit.inner);
         }
     }
 }

@@ -14,6 +14,7 @@ mod cylinders;
 mod fixed_point;
 mod floats;
 mod hard_cases;
+mod hits;
 mod laws;
 mod links;
 mod pictures;
