@@ -244,6 +244,25 @@ pub struct Pencil<S: Scalar> {
     pub distance: S::Fine,
     /// 1/`distance`.
     pub convergence: S::Fine,
+    /// How often directions must be halved to have coordinates that [`Scalar::Unit`] can hold: 0 in
+    /// floating point, and for all but very wide pictures.
+    pub halvings: u8,
+}
+
+impl<S: Scalar> Pencil<S> {
+    /// The parameter along a direction that was halved so often, as one along the direction itself.
+    #[inline]
+    pub(crate) fn along_whole(t: S, halvings: u8) -> S {
+        if halvings == 0 || t <= S::LOWEST || t >= S::HIGHEST {
+            return t;
+        }
+        S::from_fine((0..halvings).fold(t.fine(), |t, _| t * S::Fine::HALF))
+    }
+}
+
+/// The factor of directions that are halved so often.
+pub(crate) fn shortening<T: Real>(halvings: u8) -> T {
+    (0..halvings).fold(T::ONE, |factor, _| factor * T::HALF)
 }
 
 /// A row of a pencil of rays.

@@ -94,6 +94,20 @@ fn checked_height<S: Scalar>(frame_height: S::Fine) -> Result<S::Fine, CameraErr
     }
 }
 
+/// How often a number must be halved to fit the type of directions' coordinates.
+fn halvings<S: Scalar>(mut largest: S::Fine) -> u8 {
+    let mut halvings = 0;
+    // What doesn't fit becomes the end of the range; what does is rounded.
+    while S::fine_unit(S::unit(largest)) + S::Fine::HALF < largest && halvings < MOST_HALVINGS {
+        largest = largest * S::Fine::HALF;
+        halvings += 1;
+    }
+    halvings
+}
+
+/// Beyond, rays are at right angles to the viewing direction, but for 2^−18.
+const MOST_HALVINGS: u8 = 16;
+
 /// A camera infinitely far away: all its rays are parallel, and it sees whole lines.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -197,10 +211,11 @@ impl<S: Scalar> Camera for Perspective<S> {
     type Rays = Pencil<S>;
 
     fn rays(&self, size: Size) -> Pencil<S> {
-        Pencil {
-            plane: self.gaze.parallel(self.frame_height, size),
-            distance: self.distance,
-            convergence: S::Fine::ONE / self.distance,
-        }
+        let plane = self.gaze.parallel(self.frame_height, size);
+        let convergence = S::Fine::ONE / self.distance;
+        let half_pixels = i32::from(size.width()) + i32::from(size.height());
+        let sideways = S::Fine::from_int(half_pixels) * (plane.pitch * convergence);
+        let halvings = halvings::<S>(S::Fine::ONE + sideways);
+        Pencil { plane, distance: self.distance, convergence, halvings }
     }
 }

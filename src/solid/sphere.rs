@@ -5,7 +5,7 @@ use super::leaf::{Leaf, leaf};
 use super::silhouette::PencilBall;
 use super::strip::Steps;
 use super::{Shape, Solid};
-use crate::geom::{Affine, Extent, Line, Parallel, Pencil, Vec3};
+use crate::geom::{Affine, Extent, Line, Parallel, Pencil, Vec3, shortening};
 use crate::scalar::{Check, Chord, FixedI32, Fraction, Real, Scalar};
 use crate::span::{Crossing, Face, Span, SpanStack};
 
@@ -167,24 +167,31 @@ impl<S: Scalar> Leaf<Pencil<S>> for Sphere<S> {
     fn in_row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
         *row = None;
         let Some(view) = view else { return Extent::EMPTY };
+        let short = |parts: [Affine<S::Fine>; 3]| match view.halvings {
+            0 => parts,
+            halvings => parts.map(|part| part.times(shortening(halvings))),
+        };
         *row = Some(PencilRow {
-            moment: view.moment(y),
+            moment: short(view.moment(y)),
             from_center: view.position(y),
-            direction: view.direction(y),
+            direction: short(view.direction(y)),
         });
         view.extent(y, columns)
     }
 
     #[inline]
-    fn span(&self, _: &Self::View, row: &Self::Row, x: i32) -> Option<Span<S>> {
-        let row = row.as_ref()?;
+    fn span(&self, view: &Self::View, row: &Self::Row, x: i32) -> Option<Span<S>> {
+        let (Some(view), Some(row)) = (view, row) else { return None };
         let direction = row.direction.map(|part| S::unit(part.at(x)));
         let (k, q) = (
             row.moment.map(|part| part.at(x)),
             row.from_center.map(|part| S::from_fine(part.at(x))),
         );
         match S::chord(self.radius, k, q, direction) {
-            Chord::Between(enter, exit) => span(enter, exit),
+            Chord::Between(enter, exit) => {
+                let [enter, exit] = [enter, exit].map(|t| Pencil::along_whole(t, view.halvings));
+                span(enter, exit)
+            }
             Chord::Beside | Chord::Along => None,
         }
     }
@@ -193,7 +200,7 @@ impl<S: Scalar> Leaf<Pencil<S>> for Sphere<S> {
 /// A row of a sphere, seen from an eye: in the camera's frame.
 #[derive(Debug, Clone, Copy)]
 pub struct PencilRow<S: Scalar> {
-    /// c × d, p − c and d.
+    /// c × d, p − c and d, where d is halved as directions are.
     moment: [Affine<S::Fine>; 3],
     from_center: [Affine<S::Fine>; 3],
     direction: [Affine<S::Fine>; 3],

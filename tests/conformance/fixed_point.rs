@@ -436,3 +436,32 @@ fn any_picture_can_be_taken() {
         }
     });
 }
+
+/// Directions of pixels far to the side are longer than what the type of their coordinates holds.
+#[test]
+fn very_wide_pictures() {
+    fn seen<S: Tested>() -> Vec<Option<f64>> {
+        let rod = S::along(1, [-4.0, 0.75].map(S::near), S::near(0.5), S::near(-1.0), S::ONE);
+        let part = rod.unwrap() | ball::<S>([4.0, 0.0, 0.5], 1.0);
+        let [eye, target] = [[0.0, 0.0, 1.0], [0.0; 3]].map(vector);
+        let camera =
+            Perspective::look_at(eye, target, vector([0.0, 1.0, 0.0]), S::near(0.5)).unwrap();
+        let size = Size::new(120, 1).unwrap();
+        let mut picture = Picture::new(&part, &camera, size, XRay::new(S::ONE).unwrap(), Gray8(0));
+        let mut row = picture.scanline(0).unwrap();
+        (0..120).map(|x| row.seen(x).map(|seen| seen.t.to_f64())).collect()
+    }
+    let (fixed, exact) = (seen::<I16F16>(), seen::<f64>());
+    // A pixel is 0.51 wide at distance 1.
+    let sideways = |column: usize| (column as f64 - 59.5).abs() * 0.51;
+    let mut far = 0;
+    for (column, (fixed, exact)) in fixed.iter().zip(&exact).enumerate() {
+        let (Some(fixed), Some(exact)) = (fixed, exact) else {
+            assert_eq!(fixed.is_some(), exact.is_some(), "column {column}");
+            continue;
+        };
+        assert!((fixed - exact).abs() <= 2.0 * UNIT, "column {column}: {fixed} not {exact}");
+        far += u32::from(sideways(column) > 10.0);
+    }
+    assert!(far > 40, "only {far} to the side");
+}

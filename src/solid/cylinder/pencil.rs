@@ -9,7 +9,7 @@
 //! its point and direction, also where it is nearly parallel to the axis and m is small.
 
 use super::{Cylinder, frame, set_common, wall_span};
-use crate::geom::{Affine, Extent, Pencil, Vec3};
+use crate::geom::{Affine, Extent, Pencil, Vec3, shortening};
 use crate::scalar::{Chord, Number, Real, Scalar};
 use crate::solid::intersect::Passage;
 use crate::solid::leaf::Leaf;
@@ -75,7 +75,12 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
         let wide = [m0.times(radius), m1.times(radius), constant(view.blur)];
         let silhouette = extent(&wide, &[reach], columns);
         let caps = slab::PencilRow::new(&view.caps, y);
-        *row = Some(PencilRow { moment: [q0, q1], turn: [m0, m1], caps });
+        let halvings = view.ball.halvings;
+        let turn = match halvings {
+            0 => [m0, m1],
+            _ => [m0, m1].map(|part| part.times(shortening(halvings))),
+        };
+        *row = Some(PencilRow { moment: [q0, q1], turn, caps });
         silhouette.overlap(view.ball.extent(y, columns))
     }
 
@@ -92,7 +97,9 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
         let q = row.moment.map(|part| S::from_fine(part.at(x)));
         let m = row.turn.map(|part| S::unit(part.at(x)));
         let chord = match S::chord(self.tube.radius, [S::moment(q, m)], q, m) {
-            Chord::Between(enter, exit) => [enter, exit],
+            Chord::Between(enter, exit) => {
+                [enter, exit].map(|t| Pencil::along_whole(t, view.ball.halvings))
+            }
             Chord::Along if view.eye_within => [S::LOWEST, S::HIGHEST],
             Chord::Along | Chord::Beside => return,
         };
@@ -132,7 +139,7 @@ pub struct PencilView<S: Scalar> {
 /// A row of a cylinder, seen from an eye.
 #[derive(Debug, Clone, Copy)]
 pub struct PencilRow<S: Scalar> {
-    /// Two coordinates of q and of m.
+    /// Two coordinates of q, and of m, halved as directions are.
     moment: [Affine<S::Fine>; 2],
     turn: [Affine<S::Fine>; 2],
     caps: slab::PencilRow<S>,
