@@ -10,7 +10,7 @@
 
 use crate::methods::{Answer, Gives, Method, ULP, ulp_at};
 use crate::oracle::Truth;
-use crate::rays::Query;
+use crate::query::Query;
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 
 /// What was found out about a method on some rays.
@@ -23,7 +23,7 @@ pub struct Accuracy {
     /// Ends that are not the nearest number to the exact one, though they could be: the exact ends
     /// are not nearest to one number both.
     pub misrounded: usize,
-    /// How far the point that is seen lies off its face, in radii or in units.
+    /// How far the point that is seen lies off its face, in the inputs' unit for that.
     pub points: Vec<f64>,
     /// Rays that the number type can hold.
     pub asked: usize,
@@ -141,7 +141,7 @@ impl Accuracy {
 /// The distance of a point from the face that it is said to lie on: in fixed point, from the wall or
 /// plane that the face is of, because along it a unit of the parameter is as long as the direction.
 fn off_surface(query: &Query, (point, on_wall): ([f64; 3], bool), is_fixed: bool) -> f64 {
-    let [x, y, z] = point;
+    let [x, y, z] = std::array::from_fn(|i| point[i] - query.base[i]);
     let (outside_wall, beyond_cap) = (y.hypot(z) - query.radius, x.abs() - query.half_length);
     let (off, beyond) =
         if on_wall { (outside_wall, beyond_cap) } else { (beyond_cap, outside_wall) };

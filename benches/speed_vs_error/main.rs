@@ -8,6 +8,7 @@ mod formulas;
 mod methods;
 mod oracle;
 mod plot;
+mod query;
 mod random;
 mod rays;
 mod reference;
@@ -24,7 +25,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Measures time and error of several methods of casting a ray at a cylinder, on 31 sets of rays, and
+/// Measures time and error of several methods of casting a ray at a cylinder, on 34 sets of rays, and
 /// of evaluating B-splines.
 ///
 /// Prints tables and writes docs/speed_vs_error.csv, docs/speed_vs_error_splines.csv,

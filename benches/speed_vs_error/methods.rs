@@ -1,7 +1,8 @@
 //! What is compared: methods, and the numbers that they work with.
 
 use crate::formulas;
-use crate::rays::{Query, REACH, UNIT, rounded};
+use crate::query::Query;
+use crate::rays::{REACH, UNIT, on_grid, rounded};
 use crate::timing::Pass;
 use parry3d::math::Vector;
 use parry3d::query::RayCast;
@@ -24,7 +25,8 @@ pub struct Inputs {
     pub take: fn(&Query) -> Option<Query>,
     /// Whether the class of every line is promised, and not only that of robust rays.
     pub is_exact: bool,
-    /// What the distance of a hit point from the surface is counted in.
+    /// What the distance of a hit point from the surface is counted in: r, where the cylinder's middle
+    /// is the scene's origin.
     pub point_unit: fn(&Query) -> f64,
 }
 
@@ -33,9 +35,10 @@ static F32: Inputs = Inputs {
     name: "f32",
     unit: ULP,
     unit_at: ulp_at,
-    take: |query| Some(Query::from_numbers(query.numbers().map(rounded))),
+    take: |query| Some(query.map(rounded)),
     is_exact: false,
-    point_unit: |query| query.radius,
+    // The coordinates of a point on a cylinder elsewhere are rounded as large numbers are.
+    point_unit: |query| query.base.iter().fold(0.0, |m: f64, x| m.max(x.abs())) + query.radius,
 };
 
 /// The unit that errors in others are compared in.
@@ -52,17 +55,17 @@ static GRID: Inputs = Inputs {
     name: "I16F16",
     unit: "LSB",
     unit_at: |_| UNIT,
-    take: on_grid,
+    take: taken_on_grid,
     is_exact: true,
     point_unit: |_| UNIT,
 };
 
 /// What a ray or a cylinder of `I16F16` takes; NaN and infinities are no numbers of it. A direction
 /// of zero stays one, which is an error when the ray is made.
-fn on_grid(query: &Query) -> Option<Query> {
-    let rounded = Query::from_numbers(query.numbers().map(|x| (x / UNIT).round() * UNIT));
+fn taken_on_grid(query: &Query) -> Option<Query> {
+    let rounded = query.map(on_grid);
     let largest = |v: [f64; 3]| v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-    let is_taken = rounded.numbers().iter().all(|x| x.is_finite())
+    let is_taken = rounded.is_finite()
         && largest(rounded.origin) <= REACH
         && (query.direction == [0.0; 3] || LENGTHS.contains(&largest(rounded.direction)))
         && (UNIT..=REACH).contains(&rounded.radius)
@@ -169,21 +172,39 @@ pub fn methods() -> Vec<Method> {
     ]
 }
 
-fn numbers_f32(query: &Query) -> Option<formulas::f32::Input> {
-    Some(query.numbers().map(|x| x as f32))
+macro_rules! numbers {
+    ($Float:ident $numbers:ident) => {
+        /// The origin less the middle of the axis in the type's own arithmetic, because the formulas
+        /// know one place only. Of these methods, that isn't timed.
+        fn $numbers(query: &Query) -> Option<formulas::$Float::Input> {
+            let Query { origin, direction, base, .. } = query;
+            let [ox, oy, oz] = [0, 1, 2].map(|i| origin[i] as $Float - base[i] as $Float);
+            let [dx, dy, dz] = direction.map(|x| x as $Float);
+            let [r, h] = [query.radius, query.half_length].map(|x| x as $Float);
+            Some([ox, oy, oz, dx, dy, dz, r, h])
+        }
+    };
 }
 
-fn numbers_f64(query: &Query) -> Option<formulas::f64::Input> {
-    Some(query.numbers())
-}
+numbers!(f32 numbers_f32);
+numbers!(f64 numbers_f64);
 
 macro_rules! shipped {
     ($Scalar:ident $number:path, $ready:ident $trace:ident $prepared:ident $spans:ident $point:ident) => {
         fn $ready(query: &Query) -> Option<Ready<$Scalar>> {
-            let [ox, oy, oz, dx, dy, dz, r, h] = query.numbers().map($number);
-            let [zero, low] = [0.0, -query.half_length].map($number);
-            let cylinder = Cylinder::<$Scalar>::along_x(zero, zero, r, low, h).ok()?;
-            Some(([ox, oy, oz], [dx, dy, dz], cylinder))
+            let [x, y, z] = query.base;
+            let (r, h) = ($number(query.radius), query.half_length);
+            let [low, high, first, second] = [x - h, x + h, y, z].map($number);
+            let cylinder = match query.axis {
+                0 => Cylinder::<$Scalar>::along_x(first, second, r, low, high),
+                1 => Cylinder::<$Scalar>::along_y(second, first, r, low, high),
+                _ => Cylinder::<$Scalar>::along_z(first, second, r, low, high),
+            };
+            let in_scene = |mut v: [f64; 3]| {
+                v.rotate_right(query.axis);
+                v.map($number)
+            };
+            Some((in_scene(query.origin), in_scene(query.direction), cylinder.ok()?))
         }
 
         /// A ray that can't be made is a miss here: all that is asked of it is not to hit.
@@ -211,7 +232,8 @@ macro_rules! shipped {
         fn $point(query: &Query) -> Option<SurfacePoint> {
             let (ray, cylinder) = $prepared(query)?;
             let hit = cylinder.hit(&ray, &mut SpanList::<$Scalar, 1>::new())?;
-            let point = [hit.point.x, hit.point.y, hit.point.z].map(f64::from);
+            let mut point = [hit.point.x, hit.point.y, hit.point.z].map(f64::from);
+            point.rotate_left(query.axis);
             Some((point, hit.face == Face(2)))
         }
     };
@@ -234,7 +256,7 @@ shipped!(I16F16 of_grid, ready_i16f16 trace_i16f16 prepared_i16f16 spans_i16f16 
 
 /// parry's cylinders stand along y, so x and y change places.
 fn parry_input(query: &Query) -> Option<(parry3d::query::Ray, parry3d::shape::Cylinder)> {
-    let [ox, oy, oz, dx, dy, dz, r, h] = query.numbers().map(|x| x as f32);
+    let [ox, oy, oz, dx, dy, dz, r, h] = numbers_f32(query)?;
     let ray = parry3d::query::Ray::new(Vector::new(oy, ox, oz), Vector::new(dy, dx, dz));
     Some((ray, parry3d::shape::Cylinder::new(h, r)))
 }

@@ -5,7 +5,7 @@
 //! a line meets the wall is decided exactly. The square root alone is cut off, at more than 256
 //! bits below the numbers that it is added to; parameters are then quotients of whole numbers.
 
-use crate::rays::Query;
+use crate::query::Query;
 use dashu_int::ops::{BitTest, SquareRoot};
 use dashu_int::{IBig, UBig};
 use std::cmp::Ordering;
@@ -82,10 +82,11 @@ struct Line {
 impl Line {
     fn new(query: &Query) -> Self {
         let ([ox, oy, oz], [dx, dy, dz]) = (query.origin, query.direction);
-        let ([x, y, z, radius, half_length], unit) =
-            whole([ox, oy, oz, query.radius, query.half_length]);
+        let [base_x, base_y, base_z] = query.base;
+        let ([ox, oy, oz, base_x, base_y, base_z, radius, half_length], unit) =
+            whole([ox, oy, oz, base_x, base_y, base_z, query.radius, query.half_length]);
         let ([dx, dy, dz], direction_unit) = whole([dx, dy, dz]);
-        let [x, y, z] = [x, y, z].map(|length| length * SCALE);
+        let [x, y, z] = [ox - base_x, oy - base_y, oz - base_z].map(|length| length * SCALE);
         Self {
             a: &dy * &dy + &dz * &dz,
             k: &y * &dz - &z * &dy,

@@ -1,49 +1,24 @@
-//! The ray sets: those of `tests/reference/README.md`, in draws as large as wanted, and some at the
-//! ends of what 32 bits of fixed point can hold.
+//! The ray sets: those of `tests/reference/README.md`, in draws as large as wanted, some of them with
+//! the cylinder elsewhere, and some at the ends of what 32 bits of fixed point can hold.
 //!
 //! All geometry is done in `f64`; a method's [`Inputs`](crate::methods::Inputs) round it once.
 
+use crate::query::{Query, V, along};
 use crate::random::Random;
-
-type V = [f64; 3];
-
-/// A ray o + t·d and the cylinder −h ≤ x ≤ h of radius r around the x axis.
-///
-/// The numbers are exact: those of a method's input type, which `f64` holds.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Query {
-    pub origin: V,
-    pub direction: V,
-    pub radius: f64,
-    pub half_length: f64,
-}
-
-impl Query {
-    /// ox oy oz dx dy dz r h.
-    pub fn numbers(&self) -> [f64; 8] {
-        let ([ox, oy, oz], [dx, dy, dz]) = (self.origin, self.direction);
-        [ox, oy, oz, dx, dy, dz, self.radius, self.half_length]
-    }
-
-    pub fn from_numbers([ox, oy, oz, dx, dy, dz, radius, half_length]: [f64; 8]) -> Self {
-        Self { origin: [ox, oy, oz], direction: [dx, dy, dz], radius, half_length }
-    }
-
-    pub fn is_valid(&self) -> bool {
-        self.numbers().iter().all(|x| x.is_finite()) && self.direction != [0.0; 3]
-    }
-}
 
 /// A kind of rays; the table is read in these groups.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Group {
     Benign,
+    BenignMoved,
     Far,
     Graze,
+    GrazeMoved,
     NearParallel,
     Tiny,
     Huge,
     Inside,
+    InsideMoved,
     OnSurface,
     Rim,
     Unnormalised,
@@ -53,14 +28,17 @@ pub enum Group {
 }
 
 impl Group {
-    pub const ALL: [(Self, &str); 13] = [
+    pub const ALL: [(Self, &str); 16] = [
         (Self::Benign, "benign"),
+        (Self::BenignMoved, "benign_moved"),
         (Self::Far, "far"),
         (Self::Graze, "graze"),
+        (Self::GrazeMoved, "graze_moved"),
         (Self::NearParallel, "nearpar"),
         (Self::Tiny, "tiny"),
         (Self::Huge, "huge"),
         (Self::Inside, "inside"),
+        (Self::InsideMoved, "inside_moved"),
         (Self::OnSurface, "onsurf"),
         (Self::Rim, "capedge"),
         (Self::Unnormalised, "unnorm"),
@@ -82,6 +60,8 @@ pub struct Set {
 #[derive(Clone, Copy)]
 enum Size {
     Usual,
+    /// As usual, but elsewhere: along any coordinate axis, and up to 4 units from the origin each way.
+    Moved,
     Tiny,
     Huge,
     /// A few units of 2⁻¹⁶ thick.
@@ -100,6 +80,7 @@ macro_rules! sets {
 
 pub const SETS: &[Set] = sets! {
     Benign Usual "benign" benign;
+    BenignMoved Moved "benign_moved" benign;
     Far Usual "far_1e3" |random, r, h| aimed(random, r, h, 1e3 * r);
     Far Usual "far_1e5" |random, r, h| aimed(random, r, h, 1e5 * r);
     Far Usual "far_1e6" |random, r, h| aimed(random, r, h, 1e6 * r);
@@ -108,6 +89,7 @@ pub const SETS: &[Set] = sets! {
     Graze Usual "graze_1e-5" |random, r, h| graze(random, r, h, 1e-5);
     Graze Usual "graze_1e-6" |random, r, h| graze(random, r, h, 1e-6);
     Graze Usual "graze_1e-7" |random, r, h| graze(random, r, h, 1e-7);
+    GrazeMoved Moved "graze_moved" |random, r, h| graze(random, r, h, 1e-5);
     NearParallel Usual "nearpar_1e-2" |random, r, h| near_parallel(random, r, h, 1e-2);
     NearParallel Usual "nearpar_1e-3" |random, r, h| near_parallel(random, r, h, 1e-3);
     NearParallel Usual "nearpar_1e-4" |random, r, h| near_parallel(random, r, h, 1e-4);
@@ -116,6 +98,7 @@ pub const SETS: &[Set] = sets! {
     Tiny Tiny "tiny" tiny;
     Huge Huge "huge" huge;
     Inside Usual "inside" inside;
+    InsideMoved Moved "inside_moved" inside;
     OnSurface Usual "onsurf" on_surface;
     Rim Usual "capedge" rim;
     Unnormalised Usual "unnorm" |random, r, h| unnormalised(random, r, h, 0.0, 4.0);
@@ -147,6 +130,8 @@ impl Set {
         for i in 0..CYLINDERS {
             let (r, h) = match self.size {
                 Size::Usual => (random.between(0.3, 1.5), random.between(0.5, 2.5)),
+                // On the grid, as the middle is: both types' numbers have exact sums of these.
+                Size::Moved => (random.between(0.3, 1.5), on_grid(random.between(0.5, 2.5))),
                 Size::Tiny => (random.between(1e-3, 2e-3), random.between(0.5, 1.5)),
                 Size::Huge => (random.between(1e4, 2e4), random.between(0.5e4, 2.5e4)),
                 Size::Units => (UNIT * (1.0 + random.below(64) as f64), random.between(0.5, 2.5)),
@@ -161,8 +146,14 @@ impl Set {
             };
             let [r, h] = [r, h].map(rounded);
             while queries.len() < count * (i + 1) / CYLINDERS {
-                let [origin, direction] = (self.draw)(&mut random, r, h);
-                queries.push(Query { origin, direction, radius: r, half_length: h });
+                let query = Query::new((self.draw)(&mut random, r, h), r, h);
+                queries.push(match self.size {
+                    Size::Moved => {
+                        let [x, y, z] = [(); 3].map(|()| random.between(-4.0, 4.0));
+                        query.moved([on_grid(x), rounded(y), rounded(z)], i % 3)
+                    }
+                    _ => query,
+                });
             }
         }
         queries
@@ -173,8 +164,8 @@ pub fn rounded(x: f64) -> f64 {
     f64::from(x as f32)
 }
 
-fn along(a: V, s: f64, b: V) -> V {
-    std::array::from_fn(|i| a[i] + s * b[i])
+pub fn on_grid(x: f64) -> f64 {
+    (x / UNIT).round() * UNIT
 }
 
 fn unit(v: V) -> V {
@@ -334,7 +325,7 @@ fn through_a_rim(random: &mut Random, r: f64, h: f64) -> [V; 2] {
     let [y, z] = CORNERS[random.below(CORNERS.len())].map(|fifths| fifths * r / 5.0);
     let rim = [random.sign() * h, y, z];
     let distance = random.between(1.0, 4.0);
-    let origin = random.direction().map(|x| (distance * x / UNIT).round() * UNIT);
+    let origin = random.direction().map(|x| on_grid(distance * x));
     [origin, along(rim, -1.0, origin)]
 }
 

@@ -1,7 +1,7 @@
 //! The oracle against `tests/reference/cylinder.csv`, which other programs computed.
 
 use crate::oracle::Truth;
-use crate::rays::Query;
+use crate::query::Query;
 
 /// How many rays were compared.
 ///
@@ -41,9 +41,10 @@ impl Row {
         for (i, number) in numbers.iter_mut().enumerate() {
             *number = input(i)?;
         }
+        let [ox, oy, oz, dx, dy, dz, radius, half_length] = numbers;
         let number = |i: usize| field.get(i)?.parse::<f64>().ok();
         Some(Self {
-            query: Query::from_numbers(numbers),
+            query: Query::new([[ox, oy, oz], [dx, dy, dz]], radius, half_length),
             line: number(9)?,
             span: number(10).zip(number(11)).map(|(t_in, t_out)| [t_in, t_out]),
             inside: number(13) == Some(1.0),

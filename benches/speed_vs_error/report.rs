@@ -26,7 +26,7 @@ fn columns(errors: &[f64]) -> [String; 3] {
     percentiles(errors).map_or_else(|| ["-", "-", "-"].map(Into::into), |errors| errors.map(short))
 }
 
-/// The figures of a group, method by method, in 94 columns.
+/// The figures of a group, method by method, in 80 columns.
 pub fn table(results: &Results) -> String {
     let mut text = String::new();
     for (i, method) in results.methods.iter().enumerate() {
@@ -34,7 +34,7 @@ pub fn table(results: &Results) -> String {
         let in_unit = [format!("t_in ({unit})"), format!("t_out ({unit})")];
         let _ = writeln!(
             text,
-            "\n{:24}{:>9}{:>21}{:>15}",
+            "\n{:28}{:>9}{:>21}{:>13}",
             method.label(),
             in_unit[0],
             in_unit[1],
@@ -42,18 +42,18 @@ pub fn table(results: &Results) -> String {
         );
         let _ = writeln!(
             text,
-            "{:8}{:>6}{:>7}{:>7}{:>7}{:>7}{:>7}{:>7}{:>8}{:>7}{:>7}",
+            "{:12}{:>6}{:>7}{:>7}{:>7}{:>7}{:>7}{:>7}{:>7}{:>7}{:>6}",
             "", "time", "p50", "p99", "max", "p50", "p99", "max", "hit", "miss", "other"
         );
         for (group, name) in Group::ALL {
             let summary = results.summary(i, group);
             let Accuracy { errors, false_hits, false_misses, .. } = &summary.accuracy;
-            let _ = write!(text, "{name:8}{:>6}", or_dash(summary.ratio));
+            let _ = write!(text, "{name:12}{:>6}", or_dash(summary.ratio));
             for column in errors.iter().flat_map(|errors| columns(errors)) {
                 let _ = write!(text, "{column:>7}");
             }
             let other = summary.accuracy.other();
-            let _ = writeln!(text, "{false_hits:>8}{false_misses:>7}{other:>7}");
+            let _ = writeln!(text, "{false_hits:>7}{false_misses:>7}{other:>6}");
         }
     }
     text.push_str("\nOther: answers of NaN, panics, and valid rays not taken.\n");
@@ -109,7 +109,8 @@ pub fn markdown(results: &Results) -> String {
          Made by `{COMMAND}`, which also writes `speed_vs_error.csv` (every set, more figures) and \
          the plot.\n\n\
          ![Time against error of each method](speed_vs_error.svg)\n\n\
-         {} rays in each of {} sets, against a cylinder with caps. Time is a multiple of the \
+         {} rays in each of {} sets, against a cylinder with caps; in the sets named \"moved\", it \
+         stands along any coordinate axis and away from the origin. Time is a multiple of the \
          textbook `f32` formula's in the same run, and differs from machine to machine; this one \
          has `f64` in hardware.\n\n\
          Errors are median / 99th percentile / largest. Floating point's are in **ulps**: units in \

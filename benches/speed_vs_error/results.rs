@@ -3,7 +3,8 @@
 use crate::accuracy::{self, Accuracy};
 use crate::methods::Method;
 use crate::oracle::Truth;
-use crate::rays::{Group, Query, SETS, Set};
+use crate::query::Query;
+use crate::rays::{Group, SETS, Set};
 use crate::timing::{self, Cost, Pass};
 
 /// A method on a set.

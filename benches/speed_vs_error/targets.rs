@@ -5,8 +5,8 @@ use crate::accuracy::{Accuracy, percentiles};
 use crate::methods::Inputs;
 use crate::rays::{Group, Set};
 use Group::{
-    Benign, Exact, Far, Fixed, Graze, Huge, Inside, Invalid, NearParallel, OnSurface, Rim, Tiny,
-    Unnormalised,
+    Benign, BenignMoved, Exact, Far, Fixed, Graze, GrazeMoved, Huge, Inside, InsideMoved, Invalid,
+    NearParallel, OnSurface, Rim, Tiny, Unnormalised,
 };
 
 /// An upper limit for a figure on every set of some groups.
@@ -18,10 +18,23 @@ struct Target {
 }
 
 /// Where no robust class may be wrong.
-const JUDGED: &[Group] =
-    &[Benign, Far, Graze, NearParallel, Tiny, Huge, Inside, OnSurface, Unnormalised, Exact];
-const SHARP: &[Group] = &[Benign, Far, Graze];
-const SHARP_ENOUGH: &[Group] = &[NearParallel, Tiny, Huge, Inside];
+const JUDGED: &[Group] = &[
+    Benign,
+    BenignMoved,
+    Far,
+    Graze,
+    GrazeMoved,
+    NearParallel,
+    Tiny,
+    Huge,
+    Inside,
+    InsideMoved,
+    OnSurface,
+    Unnormalised,
+    Exact,
+];
+const SHARP: &[Group] = &[Benign, BenignMoved, Far, Graze, GrazeMoved];
+const SHARP_ENOUGH: &[Group] = &[NearParallel, Tiny, Huge, Inside, InsideMoved];
 
 const TARGETS: &[Target] = &[
     Target { what: "wrong robust classes", groups: JUDGED, figure: wrong, limit: 0.0 },
@@ -39,12 +52,15 @@ const TARGETS: &[Target] = &[
 /// All but invalid rays, rims included: nothing is left out where classes are exact.
 const VALID: &[Group] = &[
     Benign,
+    BenignMoved,
     Far,
     Graze,
+    GrazeMoved,
     NearParallel,
     Tiny,
     Huge,
     Inside,
+    InsideMoved,
     OnSurface,
     Rim,
     Unnormalised,
@@ -52,8 +68,21 @@ const VALID: &[Group] = &[
     Fixed,
 ];
 /// Where a chord is seldom shorter than a unit of the parameter.
-const LONG: &[Group] =
-    &[Benign, Far, Graze, NearParallel, Tiny, Inside, OnSurface, Rim, Unnormalised, Exact];
+const LONG: &[Group] = &[
+    Benign,
+    BenignMoved,
+    Far,
+    Graze,
+    GrazeMoved,
+    NearParallel,
+    Tiny,
+    Inside,
+    InsideMoved,
+    OnSurface,
+    Rim,
+    Unnormalised,
+    Exact,
+];
 
 /// What fixed point has to reach on every set of which it can hold a ray.
 const FIXED: &[Target] = &[
