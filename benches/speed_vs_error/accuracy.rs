@@ -95,7 +95,8 @@ impl Accuracy {
             }
         }
         // A ray that truly misses has no place where its point should be.
-        if let (Some(point), Some(true)) = (method.point, truth.robust_hit) {
+        let truly_hits = truth.span.is_some_and(|[_, t_out]| t_out >= 0.0);
+        if let (Some(point), true) = (method.point, truly_hits) {
             let unit = (method.inputs.point_unit)(query);
             let is_fixed = method.inputs.is_exact;
             self.points.extend(point(query).map(|at| off_surface(query, at, is_fixed) / unit));

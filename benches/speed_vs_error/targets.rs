@@ -126,7 +126,7 @@ fn max(accuracy: &Accuracy, end: usize) -> f64 {
 }
 
 fn point(accuracy: &Accuracy) -> f64 {
-    percentiles(&accuracy.points).map_or(0.0, |[_, _, max]| max)
+    percentiles(&accuracy.points).map_or(f64::INFINITY, |[_, _, max]| max)
 }
 
 /// The targets that a set's accuracy falls short of, in words.
