@@ -143,6 +143,9 @@ impl Accuracy {
 /// plane that the face is of, because along it a unit of the parameter is as long as the direction.
 fn off_surface(query: &Query, (point, on_wall): ([f64; 3], bool), is_fixed: bool) -> f64 {
     let [x, y, z] = std::array::from_fn(|i| point[i] - query.base[i]);
+    if query.is_ball {
+        return (x.hypot(y).hypot(z) - query.radius).abs();
+    }
     let (outside_wall, beyond_cap) = (y.hypot(z) - query.radius, x.abs() - query.half_length);
     let (off, beyond) =
         if on_wall { (outside_wall, beyond_cap) } else { (beyond_cap, outside_wall) };

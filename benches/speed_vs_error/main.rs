@@ -1,9 +1,10 @@
-//! Speed against error: methods of casting a ray at a cylinder, on rays that break some of them; and
-//! of evaluating a B-spline, on curves that break some.
+//! Speed against error: methods of casting a ray at a cylinder or a ball, on rays that break some of
+//! them; and of evaluating a B-spline, on curves that break some.
 //!
 //! `cargo bench --bench speed_vs_error -- --help`
 
 mod accuracy;
+mod balls;
 mod formulas;
 mod methods;
 mod oracle;
@@ -25,8 +26,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Measures time and error of several methods of casting a ray at a cylinder, on 34 sets of rays, and
-/// of evaluating B-splines.
+/// Measures time and error of several methods of casting a ray at a cylinder, on 34 sets of rays, or
+/// at a ball, on 4, and of evaluating B-splines.
 ///
 /// Prints tables and writes docs/speed_vs_error.csv, docs/speed_vs_error_splines.csv,
 /// docs/speed_vs_error.md and docs/speed_vs_error.svg.
@@ -56,11 +57,14 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     println!("The oracle agrees with all {checked} reference rays.");
 
     let quick = args.quick || !args.bench;
-    let (rays, rounds) = if quick { (2000, 9) } else { (20_000, 51) };
-    let rays = args.rays.unwrap_or(rays);
-    let results = Results::measure(methods::methods(), rays, rounds);
-    println!("{rays} rays a set; time as a multiple of the textbook f32 formula's.");
+    let (count, rounds) = if quick { (2000, 9) } else { (20_000, 51) };
+    let count = args.rays.unwrap_or(count);
+    let results = Results::measure(methods::methods(), rays::SETS, count, rounds);
+    let balls = Results::measure(balls::methods(), balls::SETS, count, rounds);
+    println!("{count} rays a set; time as a multiple of the textbook f32 formula's.");
     print!("{}", report::table(&results));
+    println!("\nBalls; time as a multiple of the textbook formula's for balls.");
+    print!("{}", report::table(&balls));
 
     let curves = if quick { 20 } else { 400 };
     let splines = splines::Results::measure(curves, rounds)?;
@@ -75,15 +79,15 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     } else {
         Path::new(env!("CARGO_MANIFEST_DIR")).join("docs")
     };
-    fs::write(folder.join("speed_vs_error.csv"), report::csv(&results))?;
-    let markdown = report::markdown(&results) + &splines::markdown(&splines);
+    fs::write(folder.join("speed_vs_error.csv"), report::csv(&[&results, &balls]))?;
+    let markdown = report::markdown(&results, &balls) + &splines::markdown(&splines);
     fs::write(folder.join("speed_vs_error.md"), markdown)?;
     fs::write(folder.join("speed_vs_error_splines.csv"), splines::csv(&splines))?;
     plot::write(&results, &splines, &folder.join("speed_vs_error.svg"))?;
 
     let mut failed = false;
     for shipped in methods::SHIPPED {
-        let shortfalls = shortfalls(&results, shipped);
+        let shortfalls = [&results, &balls].map(|part| shortfalls(part, shipped)).concat();
         println!("\nTargets missed by {}: {}", shipped.join(" "), shortfalls.len());
         shortfalls.iter().for_each(|shortfall| println!("  {shortfall}"));
         failed |= args.check && !shortfalls.is_empty();

@@ -51,7 +51,7 @@ pub fn ulp_at(t: f64) -> f64 {
 }
 
 /// Queries on the grid of multiples of 2⁻¹⁶, whose units are the same everywhere.
-static GRID: Inputs = Inputs {
+pub static GRID: Inputs = Inputs {
     name: "I16F16",
     unit: "LSB",
     unit_at: |_| UNIT,
@@ -117,7 +117,7 @@ impl Method {
     }
 
     /// `prepare` is what a caller has ready before the clock starts; `solve` is measured.
-    fn new<P: 'static, T: Copy + Into<f64> + 'static>(
+    pub fn new<P: 'static, T: Copy + Into<f64> + 'static>(
         [name, number]: [&'static str; 2],
         prepare: fn(&Query) -> Option<P>,
         solve: impl Fn(&P) -> Option<[T; 2]> + Copy + 'static,
@@ -176,7 +176,7 @@ macro_rules! numbers {
     ($Float:ident $numbers:ident) => {
         /// The origin less the middle of the axis in the type's own arithmetic, because the formulas
         /// know one place only. Of these methods, that isn't timed.
-        fn $numbers(query: &Query) -> Option<formulas::$Float::Input> {
+        pub fn $numbers(query: &Query) -> Option<formulas::$Float::Input> {
             let Query { origin, direction, base, .. } = query;
             let [ox, oy, oz] = [0, 1, 2].map(|i| origin[i] as $Float - base[i] as $Float);
             let [dx, dy, dz] = direction.map(|x| x as $Float);
@@ -242,11 +242,11 @@ macro_rules! shipped {
 /// Origin and direction of a ray, and a cylinder.
 type Ready<S> = ([S; 3], [S; 3], Cylinder<S>);
 
-fn narrowed(x: f64) -> f32 {
+pub fn narrowed(x: f64) -> f32 {
     x as f32
 }
 
-fn of_grid(x: f64) -> I16F16 {
+pub fn of_grid(x: f64) -> I16F16 {
     I16F16::from_bits((x / UNIT) as i32)
 }
 

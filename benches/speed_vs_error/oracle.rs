@@ -1,7 +1,7 @@
 //! The exact answers, in whole numbers.
 //!
 //! Every finite binary floating- or fixed-point number is a whole number of some power of two. In
-//! such units, a = |m|², k = u·m and the discriminant r²a − k² are whole numbers too, so whether
+//! such units, a = |m|² and the discriminant r²a − k² = b² − ac are whole numbers too, so whether
 //! a line meets the wall is decided exactly. The square root alone is cut off, at more than 256
 //! bits below the numbers that it is added to; parameters are then quotients of whole numbers.
 
@@ -68,9 +68,8 @@ const GUARD: usize = 256;
 struct Line {
     x: IBig,
     dx: IBig,
-    /// The squared length of d × axis, and the products u·m and −u·d of the parts across the axis.
+    /// The products d·d, −u·d and u·u of the parts across the axis, or for a ball of all.
     a: IBig,
-    k: IBig,
     b: IBig,
     distance_squared: IBig,
     radius: IBig,
@@ -81,23 +80,20 @@ struct Line {
 
 impl Line {
     fn new(query: &Query) -> Self {
-        let ([ox, oy, oz], [dx, dy, dz]) = (query.origin, query.direction);
+        let [ox, oy, oz] = query.origin;
         let [base_x, base_y, base_z] = query.base;
         let ([ox, oy, oz, base_x, base_y, base_z, radius, half_length], unit) =
             whole([ox, oy, oz, base_x, base_y, base_z, query.radius, query.half_length]);
-        let ([dx, dy, dz], direction_unit) = whole([dx, dy, dz]);
-        let [x, y, z] = [ox - base_x, oy - base_y, oz - base_z].map(|length| length * SCALE);
-        Self {
-            a: &dy * &dy + &dz * &dz,
-            k: &y * &dz - &z * &dy,
-            b: -(&y * &dy + &z * &dz),
-            distance_squared: &y * &y + &z * &z,
-            x,
-            dx,
-            radius,
-            half_length,
-            exponent: unit - direction_unit,
-        }
+        let (d, direction_unit) = whole(query.direction);
+        let u = [ox - base_x, oy - base_y, oz - base_z].map(|length| length * SCALE);
+        let product = |v: &[IBig; 3], w: &[IBig; 3]| {
+            let first = if query.is_ball { &v[0] * &w[0] } else { IBig::ZERO };
+            first + &v[1] * &w[1] + &v[2] * &w[2]
+        };
+        let (a, b, distance_squared) = (product(&d, &d), -product(&u, &d), product(&u, &u));
+        // A ball lies between its caps wherever the line is.
+        let [[x, ..], [dx, ..]] = if query.is_ball { Default::default() } else { [u, d] };
+        Self { a, b, distance_squared, x, dx, radius, half_length, exponent: unit - direction_unit }
     }
 
     fn span(&self, millionths: i64) -> Option<[Bound; 2]> {
@@ -115,7 +111,7 @@ impl Line {
         let is_within_wall = if self.a == IBig::ZERO {
             self.distance_squared < &radius * &radius
         } else {
-            &self.k * &self.k < &radius * &radius * &self.a
+            self.discriminant(&radius) > IBig::ZERO
         };
         let is_between_caps =
             self.dx != IBig::ZERO || (-&half_length <= self.x && self.x < half_length);
@@ -123,12 +119,15 @@ impl Line {
         is_within_wall && is_between_caps && self.span(0).as_ref().is_some_and(has_length)
     }
 
+    fn discriminant(&self, radius: &IBig) -> IBig {
+        &self.b * &self.b - &self.a * (&self.distance_squared - radius * radius)
+    }
+
     fn wall(&self, radius: &IBig) -> Option<[Bound; 2]> {
-        let radius_squared = radius * radius;
         if self.a == IBig::ZERO {
-            return (self.distance_squared <= radius_squared).then_some(Bound::WHOLE_LINE);
+            return (self.distance_squared <= radius * radius).then_some(Bound::WHOLE_LINE);
         }
-        let discriminant = UBig::try_from(radius_squared * &self.a - &self.k * &self.k).ok()?;
+        let discriminant = UBig::try_from(self.discriminant(radius)).ok()?;
         // |b| − √D may cancel down to 1/|b|.
         let bits = GUARD + self.b.bit_len();
         let root = IBig::from((discriminant << (2 * bits)).sqrt());

@@ -1,9 +1,9 @@
-//! What is asked: a ray and a cylinder.
+//! What is asked: a ray, and a cylinder or a ball.
 
 pub type V = [f64; 3];
 
 /// A ray o + t·d and the cylinder of radius r along the first coordinate, from h below `base` to h
-/// above it.
+/// above it; or the ball of radius r around `base`.
 ///
 /// The numbers are exact: those of a method's input type, which `f64` holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,12 +16,13 @@ pub struct Query {
     pub base: V,
     /// Which of x, y, z the first coordinate is in the scene, 0 to 2; the others follow in a circle.
     pub axis: usize,
+    pub is_ball: bool,
 }
 
 impl Query {
     /// Against the cylinder −h ≤ x ≤ h around the x axis.
     pub fn new([origin, direction]: [V; 2], radius: f64, half_length: f64) -> Self {
-        Self { origin, direction, radius, half_length, base: [0.0; 3], axis: 0 }
+        Self { origin, direction, radius, half_length, base: [0.0; 3], axis: 0, is_ball: false }
     }
 
     /// With ray and cylinder moved together, and turned.
@@ -37,7 +38,7 @@ impl Query {
             radius: round(self.radius),
             half_length: round(self.half_length),
             base: self.base.map(&round),
-            axis: self.axis,
+            ..*self
         }
     }
 

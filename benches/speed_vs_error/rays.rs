@@ -25,10 +25,14 @@ pub enum Group {
     Exact,
     Fixed,
     Invalid,
+    Ball,
+    BallInside,
+    BallGraze,
+    BallNear,
 }
 
 impl Group {
-    pub const ALL: [(Self, &str); 16] = [
+    pub const ALL: [(Self, &str); 20] = [
         (Self::Benign, "benign"),
         (Self::BenignMoved, "benign_moved"),
         (Self::Far, "far"),
@@ -45,6 +49,10 @@ impl Group {
         (Self::Exact, "exact"),
         (Self::Fixed, "fixed"),
         (Self::Invalid, "invalid"),
+        (Self::Ball, "ball"),
+        (Self::BallInside, "ball_inside"),
+        (Self::BallGraze, "ball_graze"),
+        (Self::BallNear, "ball_near"),
     ];
 }
 
@@ -52,16 +60,18 @@ impl Group {
 pub struct Set {
     pub name: &'static str,
     pub group: Group,
-    size: Size,
-    draw: fn(&mut Random, r: f64, h: f64) -> [V; 2],
+    pub size: Size,
+    pub draw: fn(&mut Random, r: f64, h: f64) -> [V; 2],
 }
 
 /// Radius and half length of the set's cylinders, as ranges.
 #[derive(Clone, Copy)]
-enum Size {
+pub enum Size {
     Usual,
     /// As usual, but elsewhere: along any coordinate axis, and up to 4 units from the origin each way.
     Moved,
+    /// Balls, up to 4 units from the origin each way.
+    Ball,
     Tiny,
     Huge,
     /// A few units of 2⁻¹⁶ thick.
@@ -132,6 +142,7 @@ impl Set {
                 Size::Usual => (random.between(0.3, 1.5), random.between(0.5, 2.5)),
                 // On the grid, as the middle is: both types' numbers have exact sums of these.
                 Size::Moved => (random.between(0.3, 1.5), on_grid(random.between(0.5, 2.5))),
+                Size::Ball => [random.between(0.3, 1.5); 2].into(),
                 Size::Tiny => (random.between(1e-3, 2e-3), random.between(0.5, 1.5)),
                 Size::Huge => (random.between(1e4, 2e4), random.between(0.5e4, 2.5e4)),
                 Size::Units => (UNIT * (1.0 + random.below(64) as f64), random.between(0.5, 2.5)),
@@ -148,9 +159,10 @@ impl Set {
             while queries.len() < count * (i + 1) / CYLINDERS {
                 let query = Query::new((self.draw)(&mut random, r, h), r, h);
                 queries.push(match self.size {
-                    Size::Moved => {
+                    Size::Moved | Size::Ball => {
                         let [x, y, z] = [(); 3].map(|()| random.between(-4.0, 4.0));
-                        query.moved([on_grid(x), rounded(y), rounded(z)], i % 3)
+                        let moved = query.moved([on_grid(x), rounded(y), rounded(z)], i % 3);
+                        Query { is_ball: matches!(self.size, Size::Ball), ..moved }
                     }
                     _ => query,
                 });
@@ -168,7 +180,7 @@ pub fn on_grid(x: f64) -> f64 {
     (x / UNIT).round() * UNIT
 }
 
-fn unit(v: V) -> V {
+pub fn unit(v: V) -> V {
     let length = v[0].hypot(v[1]).hypot(v[2]);
     v.map(|x| x / length)
 }

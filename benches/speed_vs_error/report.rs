@@ -1,7 +1,7 @@
 //! The table for the terminal, and the files.
 
 use crate::accuracy::{Accuracy, percentiles};
-use crate::rays::{Group, SETS};
+use crate::rays::SETS;
 use crate::results::Results;
 use std::fmt::Write;
 
@@ -45,7 +45,7 @@ pub fn table(results: &Results) -> String {
             "{:12}{:>6}{:>7}{:>7}{:>7}{:>7}{:>7}{:>7}{:>7}{:>7}{:>6}",
             "", "time", "p50", "p99", "max", "p50", "p99", "max", "hit", "miss", "other"
         );
-        for (group, name) in Group::ALL {
+        for (group, name) in results.groups() {
             let summary = results.summary(i, group);
             let Accuracy { errors, false_hits, false_misses, .. } = &summary.accuracy;
             let _ = write!(text, "{name:12}{:>6}", or_dash(summary.ratio));
@@ -61,14 +61,15 @@ pub fn table(results: &Results) -> String {
 }
 
 /// Every method on every set.
-pub fn csv(results: &Results) -> String {
+pub fn csv(parts: &[&Results]) -> String {
     let mut text = String::from(
         "set,method,number,unit,rays,judged,ns_per_ray,time_ratio,\
          t_in_p50,t_in_p99,t_in_max,t_out_p50,t_out_p99,t_out_max,\
          false_hits,false_misses,nans,panics,not_taken,point_off_surface_max,\
          t_in_p99_ulps,t_out_p99_ulps\n",
     );
-    for row in &results.rows {
+    for (results, row) in parts.iter().flat_map(|part| part.rows.iter().map(move |row| (part, row)))
+    {
         let method = &results.methods[row.method];
         let Accuracy { errors, points, asked, judged, .. } = &row.accuracy;
         let Accuracy { false_hits, false_misses, nans, panics, refused, .. } = &row.accuracy;
@@ -103,7 +104,7 @@ pub fn csv(results: &Results) -> String {
 }
 
 /// Method against method, group by group.
-pub fn markdown(results: &Results) -> String {
+pub fn markdown(results: &Results, balls: &Results) -> String {
     let mut text = format!(
         "# Speed against error\n\n\
          Made by `{COMMAND}`, which also writes `speed_vs_error.csv` (every set, more figures) and \
@@ -121,11 +122,14 @@ pub fn markdown(results: &Results) -> String {
          Classes of floating-point methods are counted as wrong where they don't change when the \
          cylinder is 10⁻⁶ larger or smaller; classes of `I16F16` always, grazing or not. \"Other\" \
          is answers of NaN, panics, and valid rays not taken. `I16F16` is asked about the rays that \
-         it can hold, rounded to its grid; \"rays\" says how many these are.\n",
+         it can hold, rounded to its grid; \"rays\" says how many these are. The last sections are \
+         about balls, and times there are multiples of the textbook formula's for balls.\n",
         results.rays,
         SETS.len()
     );
-    for (group, name) in Group::ALL {
+    for (results, (group, name)) in
+        [results, balls].iter().flat_map(|part| part.groups().map(move |group| (part, group)))
+    {
         let _ = write!(
             text,
             "\n## {name}\n\n\

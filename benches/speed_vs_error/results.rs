@@ -4,7 +4,7 @@ use crate::accuracy::{self, Accuracy};
 use crate::methods::Method;
 use crate::oracle::Truth;
 use crate::query::Query;
-use crate::rays::{Group, SETS, Set};
+use crate::rays::{Group, Set};
 use crate::timing::{self, Cost, Pass};
 
 /// A method on a set.
@@ -33,9 +33,9 @@ pub struct Summary {
 
 impl Results {
     /// Measures all methods on `rays` rays of each set, timed in `rounds` rounds.
-    pub fn measure(methods: Vec<Method>, rays: usize, rounds: usize) -> Self {
+    pub fn measure(methods: Vec<Method>, sets: &'static [Set], rays: usize, rounds: usize) -> Self {
         let mut rows = Vec::new();
-        for set in SETS {
+        for set in sets {
             let queries = set.queries(rays);
             let mut known: Vec<(&str, Vec<(Query, Truth)>)> = Vec::new();
             let mut answered = Vec::new();
@@ -61,6 +61,12 @@ impl Results {
             }));
         }
         Self { methods, rows, rays }
+    }
+
+    /// Groups that any set is of, and their names.
+    pub fn groups(&self) -> impl Iterator<Item = (Group, &'static str)> {
+        let is_used = |group| self.rows.iter().any(|row| row.set.group == group);
+        Group::ALL.into_iter().filter(move |&(group, _)| is_used(group))
     }
 
     pub fn summary(&self, method: usize, group: Group) -> Summary {

@@ -5,8 +5,9 @@ use crate::accuracy::{Accuracy, percentiles};
 use crate::methods::Inputs;
 use crate::rays::{Group, Set};
 use Group::{
-    Benign, BenignMoved, Exact, Far, Fixed, Graze, GrazeMoved, Huge, Inside, InsideMoved, Invalid,
-    NearParallel, OnSurface, Rim, Tiny, Unnormalised,
+    Ball, BallGraze, BallInside, BallNear, Benign, BenignMoved, Exact, Far, Fixed, Graze,
+    GrazeMoved, Huge, Inside, InsideMoved, Invalid, NearParallel, OnSurface, Rim, Tiny,
+    Unnormalised,
 };
 
 /// An upper limit for a figure on every set of some groups.
@@ -32,6 +33,10 @@ const JUDGED: &[Group] = &[
     OnSurface,
     Unnormalised,
     Exact,
+    Ball,
+    BallInside,
+    BallGraze,
+    BallNear,
 ];
 const SHARP: &[Group] = &[Benign, BenignMoved, Far, Graze, GrazeMoved];
 const SHARP_ENOUGH: &[Group] = &[NearParallel, Tiny, Huge, Inside, InsideMoved];
@@ -66,6 +71,10 @@ const VALID: &[Group] = &[
     Unnormalised,
     Exact,
     Fixed,
+    Ball,
+    BallInside,
+    BallGraze,
+    BallNear,
 ];
 /// Where a chord is seldom shorter than a unit of the parameter.
 const LONG: &[Group] = &[
@@ -82,6 +91,10 @@ const LONG: &[Group] = &[
     Rim,
     Unnormalised,
     Exact,
+    Ball,
+    BallInside,
+    BallGraze,
+    BallNear,
 ];
 
 /// What fixed point has to reach on every set of which it can hold a ray.
