@@ -26,7 +26,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Measures time and error of several methods of casting a ray at a cylinder, on 34 sets of rays, or
+/// Measures time and error of several methods of casting a ray at a cylinder, on 37 sets of rays, or
 /// at a ball, on 4, and of evaluating B-splines.
 ///
 /// Prints tables and writes docs/speed_vs_error.csv, docs/speed_vs_error_splines.csv,

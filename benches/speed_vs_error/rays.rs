@@ -12,6 +12,7 @@ pub enum Group {
     Benign,
     BenignMoved,
     Far,
+    FarMoved,
     Graze,
     GrazeMoved,
     NearParallel,
@@ -19,6 +20,7 @@ pub enum Group {
     Huge,
     Inside,
     InsideMoved,
+    PastOrigin,
     OnSurface,
     Rim,
     Unnormalised,
@@ -32,10 +34,11 @@ pub enum Group {
 }
 
 impl Group {
-    pub const ALL: [(Self, &str); 20] = [
+    pub const ALL: [(Self, &str); 22] = [
         (Self::Benign, "benign"),
         (Self::BenignMoved, "benign_moved"),
         (Self::Far, "far"),
+        (Self::FarMoved, "far_moved"),
         (Self::Graze, "graze"),
         (Self::GrazeMoved, "graze_moved"),
         (Self::NearParallel, "nearpar"),
@@ -43,6 +46,7 @@ impl Group {
         (Self::Huge, "huge"),
         (Self::Inside, "inside"),
         (Self::InsideMoved, "inside_moved"),
+        (Self::PastOrigin, "past_origin"),
         (Self::OnSurface, "onsurf"),
         (Self::Rim, "capedge"),
         (Self::Unnormalised, "unnorm"),
@@ -70,6 +74,8 @@ pub enum Size {
     Usual,
     /// As usual, but elsewhere: along any coordinate axis, and up to 4 units from the origin each way.
     Moved,
+    /// As moved, but so that the line comes 256 times nearer to the scene's origin than the ray starts.
+    Past,
     /// Balls, up to 4 units from the origin each way.
     Ball,
     Tiny,
@@ -94,6 +100,7 @@ pub const SETS: &[Set] = sets! {
     Far Usual "far_1e3" |random, r, h| aimed(random, r, h, 1e3 * r);
     Far Usual "far_1e5" |random, r, h| aimed(random, r, h, 1e5 * r);
     Far Usual "far_1e6" |random, r, h| aimed(random, r, h, 1e6 * r);
+    FarMoved Moved "far_moved" |random, r, h| aimed(random, r, h, 1e3 * r);
     Graze Usual "graze_1e-3" |random, r, h| graze(random, r, h, 1e-3);
     Graze Usual "graze_1e-4" |random, r, h| graze(random, r, h, 1e-4);
     Graze Usual "graze_1e-5" |random, r, h| graze(random, r, h, 1e-5);
@@ -109,6 +116,8 @@ pub const SETS: &[Set] = sets! {
     Huge Huge "huge" huge;
     Inside Usual "inside" inside;
     InsideMoved Moved "inside_moved" inside;
+    PastOrigin Past "benign_past" benign;
+    PastOrigin Past "inside_past" inside;
     OnSurface Usual "onsurf" on_surface;
     Rim Usual "capedge" rim;
     Unnormalised Usual "unnorm" |random, r, h| unnormalised(random, r, h, 0.0, 4.0);
@@ -141,7 +150,9 @@ impl Set {
             let (r, h) = match self.size {
                 Size::Usual => (random.between(0.3, 1.5), random.between(0.5, 2.5)),
                 // On the grid, as the middle is: both types' numbers have exact sums of these.
-                Size::Moved => (random.between(0.3, 1.5), on_grid(random.between(0.5, 2.5))),
+                Size::Moved | Size::Past => {
+                    (random.between(0.3, 1.5), on_grid(random.between(0.5, 2.5)))
+                }
                 Size::Ball => [random.between(0.3, 1.5); 2].into(),
                 Size::Tiny => (random.between(1e-3, 2e-3), random.between(0.5, 1.5)),
                 Size::Huge => (random.between(1e4, 2e4), random.between(0.5e4, 2.5e4)),
@@ -158,18 +169,26 @@ impl Set {
             let [r, h] = [r, h].map(rounded);
             while queries.len() < count * (i + 1) / CYLINDERS {
                 let query = Query::new((self.draw)(&mut random, r, h), r, h);
-                queries.push(match self.size {
-                    Size::Moved | Size::Ball => {
-                        let [x, y, z] = [(); 3].map(|()| random.between(-4.0, 4.0));
-                        let moved = query.moved([on_grid(x), rounded(y), rounded(z)], i % 3);
-                        Query { is_ball: matches!(self.size, Size::Ball), ..moved }
+                let [x, y, z] = match self.size {
+                    Size::Moved | Size::Ball => [(); 3].map(|()| random.between(-4.0, 4.0)),
+                    Size::Past => past_origin(&mut random, &query),
+                    _ => {
+                        queries.push(query);
+                        continue;
                     }
-                    _ => query,
-                });
+                };
+                let moved = query.moved([on_grid(x), rounded(y), rounded(z)], i % 3);
+                queries.push(Query { is_ball: matches!(self.size, Size::Ball), ..moved });
             }
         }
         queries
     }
+}
+
+/// Where to move a cylinder for its line to pass the origin.
+fn past_origin(random: &mut Random, query: &Query) -> V {
+    let passed = along(query.origin, random.sign() * random.between(1.0, 4.0), query.direction);
+    along(random.direction().map(|x| 3e-3 * x), -1.0, passed)
 }
 
 pub fn rounded(x: f64) -> f64 {

@@ -5,8 +5,8 @@ use crate::accuracy::{Accuracy, percentiles};
 use crate::methods::Inputs;
 use crate::rays::{Group, Set};
 use Group::{
-    Ball, BallGraze, BallInside, BallNear, Benign, BenignMoved, Exact, Far, Fixed, Graze,
-    GrazeMoved, Huge, Inside, InsideMoved, Invalid, NearParallel, OnSurface, Rim, Tiny,
+    Ball, BallGraze, BallInside, BallNear, Benign, BenignMoved, Exact, Far, FarMoved, Fixed, Graze,
+    GrazeMoved, Huge, Inside, InsideMoved, Invalid, NearParallel, OnSurface, PastOrigin, Rim, Tiny,
     Unnormalised,
 };
 
@@ -23,6 +23,7 @@ const JUDGED: &[Group] = &[
     Benign,
     BenignMoved,
     Far,
+    FarMoved,
     Graze,
     GrazeMoved,
     NearParallel,
@@ -30,6 +31,7 @@ const JUDGED: &[Group] = &[
     Huge,
     Inside,
     InsideMoved,
+    PastOrigin,
     OnSurface,
     Unnormalised,
     Exact,
@@ -38,8 +40,8 @@ const JUDGED: &[Group] = &[
     BallGraze,
     BallNear,
 ];
-const SHARP: &[Group] = &[Benign, BenignMoved, Far, Graze, GrazeMoved];
-const SHARP_ENOUGH: &[Group] = &[NearParallel, Tiny, Huge, Inside, InsideMoved];
+const SHARP: &[Group] = &[Benign, BenignMoved, Far, FarMoved, Graze, GrazeMoved];
+const SHARP_ENOUGH: &[Group] = &[NearParallel, Tiny, Huge, Inside, InsideMoved, PastOrigin];
 
 const TARGETS: &[Target] = &[
     Target { what: "wrong robust classes", groups: JUDGED, figure: wrong, limit: 0.0 },
@@ -59,6 +61,7 @@ const VALID: &[Group] = &[
     Benign,
     BenignMoved,
     Far,
+    FarMoved,
     Graze,
     GrazeMoved,
     NearParallel,
@@ -66,6 +69,7 @@ const VALID: &[Group] = &[
     Huge,
     Inside,
     InsideMoved,
+    PastOrigin,
     OnSurface,
     Rim,
     Unnormalised,
@@ -81,12 +85,14 @@ const LONG: &[Group] = &[
     Benign,
     BenignMoved,
     Far,
+    FarMoved,
     Graze,
     GrazeMoved,
     NearParallel,
     Tiny,
     Inside,
     InsideMoved,
+    PastOrigin,
     OnSurface,
     Rim,
     Unnormalised,
