@@ -40,8 +40,11 @@ const JUDGED: &[Group] = &[
     BallGraze,
     BallNear,
 ];
-const SHARP: &[Group] = &[Benign, BenignMoved, Far, FarMoved, Graze, GrazeMoved];
-const SHARP_ENOUGH: &[Group] = &[NearParallel, Tiny, Huge, Inside, InsideMoved, PastOrigin];
+const SHARP: &[Group] = &[Benign, Far, FarMoved, Graze, GrazeMoved, Ball, BallGraze];
+const SHARP_ENOUGH: &[Group] =
+    &[NearParallel, Tiny, Huge, Inside, InsideMoved, PastOrigin, BallInside, BallNear];
+/// Where plain sums begin with a difference that is rounded: to the axis, if that isn't at 0.
+const ELSEWHERE: &[Group] = &[BenignMoved];
 
 const TARGETS: &[Target] = &[
     Target { what: "wrong robust classes", groups: JUDGED, figure: wrong, limit: 0.0 },
@@ -52,6 +55,10 @@ const TARGETS: &[Target] = &[
     Target { what: "t_out, max ulps", groups: SHARP, figure: |of| max(of, 1), limit: 4.0 },
     Target { what: "t_in, p99 ulps", groups: SHARP_ENOUGH, figure: |of| p99(of, 0), limit: 2.5 },
     Target { what: "t_out, p99 ulps", groups: SHARP_ENOUGH, figure: |of| p99(of, 1), limit: 2.5 },
+    Target { what: "t_in, p99 ulps", groups: ELSEWHERE, figure: |of| p99(of, 0), limit: 2.5 },
+    Target { what: "t_out, p99 ulps", groups: ELSEWHERE, figure: |of| p99(of, 1), limit: 2.0 },
+    Target { what: "t_in, max ulps", groups: ELSEWHERE, figure: |of| max(of, 0), limit: 6.0 },
+    Target { what: "t_out, max ulps", groups: ELSEWHERE, figure: |of| max(of, 1), limit: 4.0 },
     Target { what: "hit point off the surface, in r", groups: JUDGED, figure: point, limit: 2e-7 },
     Target { what: "hits of invalid rays, panics", groups: &[Invalid], figure: bad, limit: 0.0 },
 ];

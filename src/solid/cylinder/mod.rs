@@ -182,9 +182,14 @@ impl<S: Intersect> Solid for Cylinder<S> {
 
     fn onto(&self, face: Face, near: Vec3<S>) -> Vec3<S> {
         if face == WALL {
-            self.tube.onto(&self.caps.normal, near)
+            return self.tube.onto(&self.caps.normal, near);
+        }
+        let on_plane = self.caps.onto_face(face, near);
+        // From afar, a point near the rim may be off by more than that.
+        if self.tube.has(&self.caps.normal, on_plane) {
+            on_plane
         } else {
-            self.caps.onto_face(face, near)
+            self.tube.onto(&self.caps.normal, on_plane)
         }
     }
 

@@ -23,6 +23,12 @@ impl<S: Scalar> Tube<S> {
         self.base + (along + Vec3::from(outward))
     }
 
+    /// Whether a point is within the radius.
+    pub(in crate::solid) fn has(&self, axis: &Direction<S>, point: Vec3<S>) -> bool {
+        let u = point - self.base;
+        S::length((u - axis.times(axis.dot(u))).to_array()) <= self.radius
+    }
+
     /// The outward normal at a point of the wall: (0, y, z)/r in the cylinder's own frame; and what
     /// `then` makes of it, in a place for each kind of axis.
     #[inline(always)]

@@ -89,7 +89,12 @@ impl<S: Float> Tube<S> {
         let [q0, q1] = q;
         let radius_squared = Double::product(self.radius, self.radius);
         let c = S::square_less(q0.high, radius_squared.high) + q1.high * q1.high;
-        let c = if c > radius_squared.high { c } else { squared_less_square(q, self.radius) };
+        let c = if c > radius_squared.high {
+            let cross = q0.high * q0.low + q1.high * q1.low;
+            c + (cross + cross)
+        } else {
+            squared_less_square(q, self.radius)
+        };
         let b = Double::product(q0.high, m[0]).plus_roughly(Double::product(q1.high, m[1]));
         let b = b.high + (b.low + (q0.low * m[0] + q1.low * m[1]));
         let a = Double::product(m[0], m[0]).plus_roughly(Double::product(m[1], m[1]));

@@ -11,6 +11,7 @@
 
 use super::aligned::across;
 use super::ends::cut;
+use super::oblique::meet_ball;
 use super::{Intersect, Passage};
 use crate::geom::{Line, Vec3};
 use crate::scalar::Float;
@@ -50,18 +51,6 @@ pub(super) fn meet<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> Inside<S
     tube.meet_carefully([*o0, *o1], [*base0, *base1], [*m0, *m1])
 }
 
-/// Where the line is within `radius` of `center`, from `|u + t·d|² = r²` with the discriminant
-/// `r²|d|² − |u × d|²`: no large squares cancel.
-fn meet_ball<S: Float>(center: Vec3<S>, radius: S, line: &Line<S>) -> Option<[S; 2]> {
-    let u = line.origin - center;
-    let inverse = S::ONE / line.direction.length_squared();
-    let middle = -(u.dot_compensated(line.direction)) * inverse;
-    let moment = u.cross(line.direction).length_squared();
-    let discriminant = radius * radius * line.direction.length_squared() - moment;
-    let half = discriminant.positive()?.sqrt() * inverse;
-    Some([middle - half, middle + half])
-}
-
 /// Where the line crosses the cylinder's wall between the caps.
 fn meet_wall<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> [Option<S>; 2] {
     let caps = &cylinder.caps;
@@ -88,7 +77,8 @@ macro_rules! intersect {
 
             #[inline]
             fn meet_ball(center: Vec3<Self>, radius: Self, line: &Line<Self>) -> Option<[Self; 2]> {
-                meet_ball(center, radius, line)
+                let (enter, exit) = meet_ball(center, radius, line);
+                (enter < exit).then_some([enter, exit])
             }
 
             #[inline]
