@@ -1,6 +1,7 @@
 //! What only floating point can get wrong: subnormal numbers, numbers beyond any scene, distances
 //! of a million radii. Infinities and NaN are in `bad_input` and `rows`.
 
+use crate::hard_cases::{beside_a_wide_wall, thin_from_afar};
 use crate::number::{Tested, ball, ray, rod, spans, vector};
 use scancsg::geom::{Ray, Vec3, vec3};
 use scancsg::render::{CameraError, Orthographic, Perspective};
@@ -97,7 +98,8 @@ fn aimed_at_the_origin_by_chance<S: Float>() {
     }
 }
 
-/// Squares of such radii are 10⁻⁸ and 10⁸ times those of the coordinates beside them.
+/// Squares of such radii are 10⁻⁸ and 10⁸ times those of the coordinates beside them, and one of the two
+/// is lost in the other's rounding errors.
 fn very_small_and_very_large_radii<S: Float>() {
     for radius in [1e-4, 1e4].map(|r| S::near(r).to_f64()) {
         let rod = rod::<S>(radius, -2.0, 2.0);
@@ -108,6 +110,9 @@ fn very_small_and_very_large_radii<S: Float>() {
         let beside = ray::<S>([0.0, 0.0, radius * 1.0001], [0.0, 1.0, 0.0]);
         assert_eq!(spans(&rod, &beside), []);
     }
+    // Radii of 0.8 · 10⁻⁴, from 4,000 to four million of them away, and of 10⁴.
+    thin_from_afar::<S>(0.5f64.powi(19), &[0.06640625, 5.08203125, 18.5546875, 62.15234375]);
+    beside_a_wide_wall::<S>(4.0);
 }
 
 const ORIGIN: [f64; 3] = [6.0, 3.0, 8.0];

@@ -214,3 +214,16 @@ pub fn spans<S: Tested, T: Solid<Scalar = S>>(solid: &T, ray: &Ray<S>) -> Vec<(f
     // + 0.0 makes −0 into 0, which is the same parameter.
     spans.map(|span| (span.enter.t.to_f64() + 0.0, span.exit.t.to_f64() + 0.0)).collect()
 }
+
+/// The spans of a line have to be these: in fixed point at the nearest numbers, in floating point within
+/// 4 ε of the parameter.
+#[track_caller]
+pub fn assert_spans<S: Tested, T: Solid<Scalar = S>>(solid: &T, ray: &Ray<S>, want: &[(f64, f64)]) {
+    let got = spans(solid, ray);
+    // What is wanted has rounding errors of its own.
+    let allowed = |t: f64| if S::IS_FIXED { 0.5 * S::UNIT + 1e-9 } else { 4.0 * S::UNIT * t.abs() };
+    let is_near = |got: f64, want: f64| (got - want).abs() <= allowed(want);
+    let all_near =
+        got.iter().zip(want).all(|(got, want)| is_near(got.0, want.0) && is_near(got.1, want.1));
+    assert!(got.len() == want.len() && all_near, "{got:?} is not {want:?}");
+}
