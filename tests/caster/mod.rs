@@ -67,6 +67,28 @@ pub struct Crossing {
 }
 
 impl Solid {
+    /// Larger by a length at all sides, or smaller.
+    pub fn grown(&self, by: f64) -> Self {
+        let all = |parts: &[Self]| parts.iter().map(|part| part.grown(by)).collect();
+        match self {
+            Self::Cylinder { from, to, radius } => {
+                let way = times(unit(sub(*to, *from)), by);
+                Self::Cylinder { from: sub(*from, way), to: add(*to, way), radius: radius + by }
+            }
+            Self::Sphere { center, radius } => {
+                Self::Sphere { center: *center, radius: radius + by }
+            }
+            Self::Slab { normal, low, high } => {
+                Self::Slab { normal: *normal, low: low - by, high: high + by }
+            }
+            Self::Any(parts) => Self::Any(all(parts)),
+            Self::All(parts) => Self::All(all(parts)),
+            Self::Minus(left, right) => {
+                Self::Minus(Box::new(left.grown(by)), Box::new(right.grown(-by)))
+            }
+        }
+    }
+
     pub fn contains(&self, p: V) -> bool {
         match self {
             Self::Cylinder { from, to, radius } => {

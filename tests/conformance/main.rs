@@ -1,5 +1,6 @@
-//! What every number type has to do: each test is one function, and runs for `f32`, `f64` and
-//! `I16F16`. What only floating or only fixed point can get wrong is in `floats` and `fixed_point`.
+//! What every number type has to do: each test is one function, and runs for `f32`, `f64`, `I16F16` and
+//! `I20F12`, as a format of fixed point with another number of digits. What only floating or only fixed
+//! point can get wrong is in `floats` and `fixed_point`.
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 

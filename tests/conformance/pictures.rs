@@ -57,6 +57,11 @@ fn in_units<S: Tested>(view: &Model, depth: f64) -> f64 {
 /// In 1,500 pictures of each kind, 3 were enough.
 const FIXED_UNITS: f64 = 5.0;
 
+/// With a unit above this, what is left of a part may be thinner than a unit now and then, and be seen or
+/// not: in 5 of 220,000 pictures in `I20F12`, and in none of 100,000 in `I16F16`. There, the same part
+/// with every face moved by a unit may show what the picture does.
+const COARSE: f64 = 1e-4;
+
 /// Rays that a number type may take for a pixel's own. In floating point they run through the eye;
 /// a grid is as coarse near the eye as far away.
 fn rays_near<S: Tested>(view: &Model, pixel: [u16; 2], size: [u16; 2], by: f64) -> [ModelRay; 8] {
@@ -104,6 +109,27 @@ fn depths_around(
     all
 }
 
+/// Levels of grey of rays around a pixel, and of those between them and the pixel's own: where there is a
+/// step, just before it and just behind, because a level may change fastest at a silhouette.
+fn levels_around(
+    rays: impl Fn(f64) -> [ModelRay; 8],
+    level: impl Fn(&ModelRay) -> f64,
+) -> Vec<f64> {
+    let mut all = Vec::new();
+    for i in 0..8 {
+        let at = |part: f64| (part, level(&rays(part)[i]));
+        let [mut inside, mut outside] = [0.0, 1.0].map(at);
+        all.extend([inside.1, outside.1]);
+        for _ in 0..12 {
+            let middle = at((inside.0 + outside.0) / 2.0);
+            all.push(middle.1);
+            let is_before = (middle.1 - inside.1).abs() > (outside.1 - middle.1).abs();
+            if is_before { outside = middle } else { inside = middle }
+        }
+    }
+    all
+}
+
 /// The smallest and the largest of what rays around a pixel see.
 fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
@@ -129,14 +155,23 @@ where
         for x in 0..width {
             let pixel = [x, scanline.y()];
             let got = scanline.seen(x).map(|seen| seen.t.to_f64());
-            let depth = |ray: &ModelRay| model.seen(ray, view.start()).map(|seen| seen.t);
-            let want = depth(&view.ray(pixel, size, [0.0; 2]));
+            let of = |model: &ModelSolid, ray: &ModelRay| {
+                model.seen(ray, view.start()).map(|seen| seen.t)
+            };
+            let want = of(model, &view.ray(pixel, size, [0.0; 2]));
             found.covered += usize::from(got.is_some());
             let at = got.into_iter().chain(want).fold(0.0, f64::max);
             let (silhouette, allowed) = (silhouette::<S>(view, at), tolerance::<S>(view, at));
 
             let around = || {
-                depths_around(|part| rays_near::<S>(view, pixel, size, silhouette * part), depth)
+                let rays = |part| rays_near::<S>(view, pixel, size, silhouette * part);
+                let mut all = depths_around(rays, |ray| of(model, ray));
+                if S::UNIT > COARSE {
+                    for model in [S::UNIT, -S::UNIT].map(|by| model.grown(by)) {
+                        all.extend(depths_around(rays, |ray| of(&model, ray)));
+                    }
+                }
+                all
             };
             match (got, want) {
                 (None, None) => {}
@@ -390,8 +425,9 @@ fn direction<S: Tested>() -> impl Strategy<Value = V> {
 }
 
 /// Most for those types that pictures are made with on small computers.
-fn config<S>() -> ProptestConfig {
-    ProptestConfig::with_cases(if size_of::<S>() == 4 { 50 } else { 10 })
+fn config<S: Tested>() -> ProptestConfig {
+    let is_of_small_computers = size_of::<S>() == 4 && S::UNIT < COARSE;
+    ProptestConfig::with_cases(if is_of_small_computers { 50 } else { 10 })
 }
 
 fn random_orthographic<S: Tested>() {
@@ -431,9 +467,10 @@ fn random_perspective<S: Tested>() {
 
 /// From 10⁵ units away: with the usual quadratic, b² − ac has not one correct digit in `f32`, and
 /// the eye's coordinates resolve hundredths of a unit at best. In fixed point, from nearly as far
-/// away as can be, where the field of view is all but a unit.
+/// away as can be, or as far as leaves a hundred units to the field of view.
 fn from_far_away<S: Tested>() {
-    let far = if S::IS_FIXED { 0.9 * S::REACH.to_f64() } else { 1e5 };
+    let far =
+        if S::IS_FIXED { (0.9 * S::REACH.to_f64()).min(6.0 / (100.0 * S::UNIT)) } else { 1e5 };
     proptest!(config::<S>(), |(part in part::<S>(), way in direction::<S>())| {
         prop_assume!(way[0].abs() + way[2].abs() > 0.05);
         let eye = caster::times(way, far / caster::length(way));
@@ -576,8 +613,8 @@ fn check_levels_seen<S, C, H>(
             if (got - want).abs() > 1.0 {
                 let depth = model.seen(&view.ray(pixel, size, [0.0; 2]), view.start());
                 let by = silhouette::<S>(view, depth.map_or(0.0, |seen| seen.t));
-                let around = rays_near::<S>(view, pixel, size, by);
-                let [low, high] = range(around.iter().map(of).chain([want]));
+                let rays = |part| rays_near::<S>(view, pixel, size, by * part);
+                let [low, high] = range(levels_around(rays, of).into_iter());
                 assert!(low - 1.0 <= got && got <= high + 1.0, "{pixel:?}: {got} is not {want}");
             }
         }

@@ -183,8 +183,10 @@ fn extents_cut_nothing_off<S: Tested>() {
         // Beyond the number type's reach, there is no such picture.
         let far = far.min(0.2 * S::REACH.to_f64() / unit);
         let target = times(away, far * unit);
-        let rod = between::<S>([0.0; 3], times(way, unit), radius * unit);
-        let ball = ball::<S>([0.0; 3], radius * unit);
+        // A coarse grid has no radius that small.
+        let radius = (radius * unit).max(S::FINEST.to_f64());
+        let rod = between::<S>([0.0; 3], times(way, unit), radius);
+        let ball = ball::<S>([0.0; 3], radius);
         let frame = S::near(zoom * unit * far.max(1.0));
         let picture = Size::new(64, 24).unwrap();
         let camera = Orthographic::look_along(vector(along), vector(target), up(), frame);

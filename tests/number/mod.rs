@@ -3,7 +3,7 @@
 
 #![allow(dead_code)] // every user takes what it needs
 
-use fixed::types::{I8F24, I24F8};
+use fixed::types::{I8F24, I20F12, I24F8};
 use scancsg::geom::{Ray, Vec3, vec3};
 use scancsg::scalar::I16F16;
 use scancsg::solid::{
@@ -11,7 +11,8 @@ use scancsg::solid::{
 };
 use scancsg::span::SpanList;
 
-/// Makes tests of functions with a number type as their parameter.
+/// Makes tests of functions with a number type as their parameter. Of the other formats of fixed point,
+/// `I20F12` has all coordinates of the tests in its range: to 65,536, and a unit is 1/4096.
 #[allow(unused_macros)] // not every test has such functions
 macro_rules! for_every_number {
     ($($test:ident),+ $(,)?) => {
@@ -23,6 +24,9 @@ macro_rules! for_every_number {
         }
         mod i16f16 {
             $(#[test] fn $test() { super::$test::<scancsg::scalar::I16F16>(); })+
+        }
+        mod i20f12 {
+            $(#[test] fn $test() { super::$test::<fixed::types::I20F12>(); })+
         }
     };
 }
@@ -175,7 +179,7 @@ macro_rules! fixed {
     )+};
 }
 
-fixed!(I8F24, I16F16, I24F8);
+fixed!(I8F24, I16F16, I20F12, I24F8);
 
 /// A point or a vector; the coordinates are rounded.
 pub fn vector<S: Tested>([x, y, z]: [f64; 3]) -> Vec3<S> {
