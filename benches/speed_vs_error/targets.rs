@@ -40,11 +40,11 @@ const JUDGED: &[Group] = &[
     BallGraze,
     BallNear,
 ];
-const SHARP: &[Group] = &[Benign, Far, FarMoved, Graze, GrazeMoved, Ball, BallGraze];
+const SHARP: &[Group] = &[Benign, Far, FarMoved, Graze, GrazeMoved, BallGraze];
 const SHARP_ENOUGH: &[Group] =
     &[NearParallel, Tiny, Huge, Inside, InsideMoved, PastOrigin, BallInside, BallNear];
-/// Where plain sums begin with a difference that is rounded: to the axis, if that isn't at 0.
-const ELSEWHERE: &[Group] = &[BenignMoved];
+/// Where plain sums begin with a difference that is rounded: to an axis or a centre that isn't at 0.
+const ELSEWHERE: &[Group] = &[BenignMoved, Ball];
 
 const TARGETS: &[Target] = &[
     Target { what: "wrong robust classes", groups: JUDGED, figure: wrong, limit: 0.0 },

@@ -253,7 +253,9 @@ impl<S: Scalar> Pencil<S> {
     /// The parameter along a direction that was halved so often, as one along the direction itself.
     #[inline]
     pub(crate) fn along_whole(t: S, halvings: u8) -> S {
-        if halvings == 0 || t <= S::LOWEST || t >= S::HIGHEST {
+        // Known without looking in floating point, which never halves.
+        let is_whole = S::SHORTEST <= S::ZERO || halvings == 0;
+        if is_whole || t <= S::LOWEST || t >= S::HIGHEST {
             return t;
         }
         S::from_fine((0..halvings).fold(t.fine(), |t, _| t * S::Fine::HALF))

@@ -128,13 +128,15 @@ fn ends<S: Float>(a: S, b: S, c: S, half: S) -> Inside<S> {
 
 /// `|q|² − r²` with the errors of squares and sums added back.
 #[inline]
-fn squared_less_square<S: Float>(q: [Double<S>; 2], radius: S) -> S {
-    let [q0, q1] = q;
-    let (p0, e0) = S::two_product(q0.high, q0.high);
-    let (p1, e1) = S::two_product(q1.high, q1.high);
-    let (p2, e2) = S::two_product(radius, radius);
-    let (sum, f0) = two_sum(p0, p1);
-    let (sum, f1) = two_sum(sum, -p2);
-    let cross = q0.high * q0.low + q1.high * q1.low;
-    sum + (((e0 + e1) - e2) + (f0 + f1) + (cross + cross))
+pub(super) fn squared_less_square<S: Float, const N: usize>(q: [Double<S>; N], radius: S) -> S {
+    let (square, square_error) = S::two_product(radius, radius);
+    let [mut sum, mut errors, mut lost, mut cross] = [S::ZERO; 4];
+    for coordinate in q {
+        let (product, error) = S::two_product(coordinate.high, coordinate.high);
+        let (next, rounded) = two_sum(sum, product);
+        (sum, errors, lost) = (next, errors + error, lost + rounded);
+        cross = cross + coordinate.high * coordinate.low;
+    }
+    let (sum, rounded) = two_sum(sum, -square);
+    sum + ((errors - square_error) + (lost + rounded) + (cross + cross))
 }

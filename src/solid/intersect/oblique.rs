@@ -2,6 +2,7 @@
 //!
 //! A ball is the same quadratic with q = u, m = d and k² = |u × d|².
 
+use super::aligned::squared_less_square;
 use super::compensated::Inside;
 use crate::geom::{Axis, Direction, Line, Vec3};
 use crate::scalar::{Double, Float};
@@ -48,6 +49,7 @@ impl<S: Float> Tube<S> {
 }
 
 /// Where the line is inside the ball.
+#[inline(always)]
 pub(super) fn meet_ball<S: Float>(center: Vec3<S>, radius: S, line: &Line<S>) -> Inside<S> {
     let (u, d) = (line.origin - center, line.direction);
     let sums = Sums {
@@ -56,10 +58,9 @@ pub(super) fn meet_ball<S: Float>(center: Vec3<S>, radius: S, line: &Line<S>) ->
         from_axis: u.dot_compensated(u),
         k: u.cross(d).length_squared(),
     };
-    let gap = || {
-        let u = difference(line.origin, center).to_array();
-        dot(u, u).minus(Double::product(radius, radius)).round()
-    };
+    // Rare lines get a copy, so that the line itself may stay in registers.
+    let line = &{ *line };
+    let gap = || squared_less_square(difference(line.origin, center).to_array(), radius);
     sums.meet(radius, u.length_squared(), gap)
         .unwrap_or_else(|| meet_ball_closely(center, radius, line))
 }
@@ -88,7 +89,7 @@ impl<S: Float> Sums<S> {
     /// The error of k is a few units of |u||m|, so that of D is as many of k|u||m|. It reaches s divided by
     /// 2√D, and is kept where that quotient is small. Plain sums are good enough for b if it isn't
     /// small beside |q||m| with s small as well, and for c from some way off the surface on.
-    #[inline]
+    #[inline(always)]
     fn meet(&self, radius: S, distance_squared: S, gap: impl FnOnce() -> S) -> Option<Inside<S>> {
         let &Self { a, b, from_axis, k } = self;
         let radius_squared = radius * radius;
@@ -100,9 +101,8 @@ impl<S: Float> Sums<S> {
             let error = (largest + of_k.sqrt()) * S::EPSILON * S::from_int(8);
             return (discriminant < -error).then_some(Tube::NOWHERE);
         }
-        let most = of_k.max(largest * largest * S::from_int(8));
-        let is_precise = discriminant * (discriminant + b * b) * S::from_int(8) > most;
         let s = discriminant.sqrt() + b.abs();
+        let is_precise = discriminant * s * s * S::from_int(2) > of_k.max(largest * largest);
         if !(is_precise && s * s * S::from_int(4) > from_axis * a) {
             return None;
         }
@@ -136,6 +136,7 @@ fn meet_closely<S: Float>(
 }
 
 /// The points from the roots' sizes: `far` = (|b| + √D)/a, and `near` = c/(|b| + √D).
+#[inline(always)]
 fn points<S: Float>(far: S, near: S, b: S, discriminant: S) -> Inside<S> {
     // A tangent has one root, but c/s would round to another number, or be 0/0.
     let near = if discriminant > S::ZERO { near } else { far };
