@@ -354,7 +354,8 @@ where
             Path::Turn => f64::from(frame) / f64::from(args.frames),
             Path::Orbit => 0.0,
         };
-        let turned = Placed::new(part, Pose::rotation_y(S::nearest(TAU * turns)));
+        let turn = Pose::rotation_y(S::nearest(TAU * turns)).map_err(|error| error.to_string())?;
+        let turned = Placed::new(part, turn);
         let camera = camera(frame)?;
         let delivery = match args.smooth {
             None => {

@@ -11,6 +11,6 @@ pub(crate) use pixels::shortening;
 pub use pixels::{
     Affine, Column, Extent, Parallel, ParallelRays, Pencil, PencilRays, RayRow, Rays,
 };
-pub use pose::Pose;
+pub use pose::{Pose, PoseError};
 pub use ray::{Line, Ray, RayError};
 pub use vec3::{Vec3, vec3};

@@ -1,9 +1,18 @@
 //! Rigid motions.
 
 use super::{Line, Vec3};
-use crate::scalar::{Number, Real, Scalar};
+use crate::scalar::{FixedI32, Fraction, Number, Real, Scalar};
 
 /// A rotation followed by a translation: where a solid's own frame lies in the scene.
+///
+/// ```
+/// use scancsg::geom::{Pose, vec3};
+///
+/// let quarter = Pose::<f32>::rotation_z(core::f32::consts::FRAC_PI_2)?;
+/// let pose = quarter.then(&Pose::<f32>::translation(vec3(0.0, 0.0, 3.0))?)?;
+/// assert!((pose.point(vec3(2.0, 0.0, 0.0)) - vec3(0.0, 2.0, 3.0)).max_abs() < 1e-6);
+/// # Ok::<(), scancsg::geom::PoseError>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Pose<S: Scalar> {
@@ -11,6 +20,44 @@ pub struct Pose<S: Scalar> {
     axes: [Vec3<S::Unit>; 3],
     translation: Vec3<S>,
 }
+
+/// Why a pose can't be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum PoseError {
+    /// The angle or a coordinate is infinite or NaN.
+    NotFinite,
+    /// A coordinate of the translation is larger than [`Scalar::REACH`].
+    TooFar,
+}
+
+crate::error_text!(PoseError {
+    NotFinite => "an angle or a coordinate of the pose is infinite or not a number",
+    TooFar => "the pose shifts too far for its number type",
+});
+
+macro_rules! constructors {
+    ($([$($generics:tt)*] $Scalar:ty),+) => {$(
+        impl<$($generics)*> Pose<$Scalar> {
+            /// A shift by `by`.
+            ///
+            /// # Errors
+            /// [`PoseError`].
+            pub const fn translation(by: Vec3<$Scalar>) -> Result<Self, PoseError> {
+                if !by.has_finite_coordinates() {
+                    return Err(PoseError::NotFinite);
+                }
+                if !by.is_within_reach() {
+                    return Err(PoseError::TooFar);
+                }
+                Ok(Self { translation: by, ..Self::IDENTITY })
+            }
+        }
+    )+};
+}
+
+constructors!([] f32, [] f64, [F: Fraction] FixedI32<F>);
 
 impl<S: Scalar> Pose<S> {
     /// The pose that moves nothing.
@@ -26,46 +73,50 @@ impl<S: Scalar> Pose<S> {
         }
     };
 
-    /// A shift by `by`.
-    #[must_use]
-    pub const fn translation(by: Vec3<S>) -> Self {
-        Self { translation: by, ..Self::IDENTITY }
-    }
-
     /// A turn about the x axis, in radians, that takes y towards z.
-    #[must_use]
-    pub fn rotation_x(angle: S) -> Self {
-        let (sin, cos, [x, _, _]) = turn(angle);
+    ///
+    /// # Errors
+    /// [`PoseError::NotFinite`].
+    pub fn rotation_x(angle: S) -> Result<Self, PoseError> {
+        let (sin, cos, [x, _, _]) = turn(angle)?;
         let y = Vec3::new(S::Unit::ZERO, cos, sin);
         let z = Vec3::new(S::Unit::ZERO, sin.negated(), cos);
-        Self { axes: [x, y, z], translation: Vec3::ZERO }
+        Ok(Self { axes: [x, y, z], translation: Vec3::ZERO })
     }
 
     /// A turn about the y axis, in radians, that takes z towards x.
-    #[must_use]
-    pub fn rotation_y(angle: S) -> Self {
-        let (sin, cos, [_, y, _]) = turn(angle);
+    ///
+    /// # Errors
+    /// [`PoseError::NotFinite`].
+    pub fn rotation_y(angle: S) -> Result<Self, PoseError> {
+        let (sin, cos, [_, y, _]) = turn(angle)?;
         let z = Vec3::new(sin, S::Unit::ZERO, cos);
         let x = Vec3::new(cos, S::Unit::ZERO, sin.negated());
-        Self { axes: [x, y, z], translation: Vec3::ZERO }
+        Ok(Self { axes: [x, y, z], translation: Vec3::ZERO })
     }
 
     /// A turn about the z axis, in radians, that takes x towards y.
-    #[must_use]
-    pub fn rotation_z(angle: S) -> Self {
-        let (sin, cos, [_, _, z]) = turn(angle);
+    ///
+    /// # Errors
+    /// [`PoseError::NotFinite`].
+    pub fn rotation_z(angle: S) -> Result<Self, PoseError> {
+        let (sin, cos, [_, _, z]) = turn(angle)?;
         let x = Vec3::new(cos, sin, S::Unit::ZERO);
         let y = Vec3::new(sin.negated(), cos, S::Unit::ZERO);
-        Self { axes: [x, y, z], translation: Vec3::ZERO }
+        Ok(Self { axes: [x, y, z], translation: Vec3::ZERO })
     }
 
     /// This pose first, then `next`.
-    #[must_use]
-    pub fn then(&self, next: &Self) -> Self {
-        let [x, y, z] = self.axes;
-        Self {
-            axes: [x, y, z].map(|axis| next.turned(axis.map(S::fine_unit)).map(S::unit)),
-            translation: next.point(self.translation),
+    ///
+    /// # Errors
+    /// [`PoseError::TooFar`].
+    pub fn then(&self, next: &Self) -> Result<Self, PoseError> {
+        let axes = self.axes.map(|axis| next.turned(axis.map(S::fine_unit)).map(S::unit));
+        let translation = next.point(self.translation);
+        if translation.max_abs() <= S::REACH {
+            Ok(Self { axes, translation })
+        } else {
+            Err(PoseError::TooFar)
         }
     }
 
@@ -118,8 +169,13 @@ impl<S: Scalar> Pose<S> {
     }
 }
 
-/// Sine and cosine of an angle, and the axes that a turn by it starts from.
-fn turn<S: Scalar>(angle: S) -> (S::Unit, S::Unit, [Vec3<S::Unit>; 3]) {
+/// A sine and a cosine, and the axes that a turn starts from.
+type Turn<S> = (<S as Scalar>::Unit, <S as Scalar>::Unit, [Vec3<<S as Scalar>::Unit>; 3]);
+
+fn turn<S: Scalar>(angle: S) -> Result<Turn<S>, PoseError> {
+    if !angle.is_finite() {
+        return Err(PoseError::NotFinite);
+    }
     let (sin, cos) = angle.fine().sin_cos();
-    (S::unit(sin), S::unit(cos), Pose::<S>::IDENTITY.axes)
+    Ok((S::unit(sin), S::unit(cos), Pose::<S>::IDENTITY.axes))
 }

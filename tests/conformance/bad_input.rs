@@ -2,7 +2,7 @@
 //! for all number types is in `tests/errors.rs`.
 
 use crate::number::{Tested, ball, ray, spans, vector};
-use scancsg::geom::{Ray, RayError, Vec3};
+use scancsg::geom::{Pose, PoseError, Ray, RayError, Vec3};
 use scancsg::render::{CameraError, Depth, Lambert, Orthographic, Perspective, ShadeError, XRay};
 use scancsg::solid::{CylinderError, SlabError, SphereError};
 use std::fmt::Debug;
@@ -13,6 +13,7 @@ for_every_number!(
     spheres,
     slabs,
     rays,
+    poses,
     orthographic_cameras,
     perspective_cameras,
     shaders,
@@ -160,6 +161,30 @@ fn rays<S: Tested>() {
             assert_eq!(ray.err(), None, "{length}");
         }
     }
+}
+
+/// A pose that shifts beyond the range would put a solid where no ray comes, and a turn by NaN would give
+/// it NaN for normals.
+fn poses<S: Tested>() {
+    at_every_place([1.0, 2.0, 3.0], PoseError::NotFinite, |x: [S; 3]| S::translation(vec_of(&x)));
+    for turn in [Pose::rotation_x, Pose::rotation_y, Pose::rotation_z] {
+        at_every_place([0.5], PoseError::NotFinite, |[angle]: [S; 1]| turn(angle));
+    }
+    let reach = S::REACH.to_f64();
+    for far in [S::REACH.up().to_f64(), 2.0 * reach, -S::REACH.up().to_f64()] {
+        for axis in 0..3 {
+            let by = std::array::from_fn(|i| if i == axis { far } else { 0.0 });
+            assert_eq!(S::translation(vector(by)).err(), Some(PoseError::TooFar), "{by:?}");
+        }
+    }
+    // Each within reach, together beyond it; and back again.
+    let there = S::translation(vector([reach, 0.0, -reach])).unwrap();
+    assert_eq!(there.then(&there).err(), Some(PoseError::TooFar));
+    let back = S::translation(vector([-reach, 0.0, reach])).unwrap();
+    assert_eq!(there.then(&back), Ok(Pose::IDENTITY));
+    // A corner at reach is farther away than that once it's turned.
+    let eighth = Pose::rotation_y(S::near(std::f64::consts::FRAC_PI_4)).unwrap();
+    assert_eq!(there.then(&eighth).err(), Some(PoseError::TooFar));
 }
 
 fn orthographic_cameras<S: Tested>() {

@@ -282,8 +282,8 @@ impl<S: Tested> Drawn<S> {
     /// Trees of all operations; operands of each kind on either side; groups of primitives and of trees,
     /// inside of each other; what is painted and what is placed.
     fn check(&self, views: &Views) -> Result<u32, TestCaseError> {
-        let pose =
-            Pose::rotation_z(S::near(0.5)).then(&Pose::translation(vector([0.5, -1.0, 0.5])));
+        let shift = S::translation(vector([0.5, -1.0, 0.5])).unwrap();
+        let pose = Pose::rotation_z(S::near(0.5)).and_then(|turn| turn.then(&shift)).unwrap();
         let all =
             Leaves::new(self.r.map(Everywhere), self.b.map(Everywhere), self.s.map(Everywhere));
         // A tree of these, and the same of those that are everywhere.

@@ -4,7 +4,7 @@
 #![allow(dead_code)] // every user takes what it needs
 
 use fixed::types::{I8F24, I20F12, I24F8};
-use scancsg::geom::{Ray, Vec3, vec3};
+use scancsg::geom::{Pose, PoseError, Ray, Vec3, vec3};
 use scancsg::scalar::I16F16;
 use scancsg::solid::{
     Cylinder, CylinderError, Intersect, Slab, SlabError, Solid, Sphere, SphereError,
@@ -74,6 +74,8 @@ pub trait Tested: Intersect {
     fn slab(normal: Vec3<Self>, low: Self, high: Self) -> Result<Slab<Self>, SlabError>;
 
     fn sphere(center: Vec3<Self>, radius: Self) -> Result<Sphere<Self>, SphereError>;
+
+    fn translation(by: Vec3<Self>) -> Result<Pose<Self>, PoseError>;
 }
 
 /// The constructors of a type, for the inside of `impl Tested`.
@@ -115,6 +117,10 @@ macro_rules! constructors {
 
         fn sphere(center: Vec3<Self>, radius: Self) -> Result<Sphere<Self>, SphereError> {
             Sphere::<$S>::new(center, radius)
+        }
+
+        fn translation(by: Vec3<Self>) -> Result<Pose<Self>, PoseError> {
+            Pose::<$S>::translation(by)
         }
     };
 }
