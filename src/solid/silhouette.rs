@@ -93,8 +93,6 @@ pub struct PencilBall<S: Scalar> {
     /// What half a pixel adds to x or y: the pitch over the eye's distance.
     slope: S::Fine,
     rows: Rows,
-    /// How often directions are halved.
-    pub(super) halvings: u8,
 }
 
 impl<S: Scalar> PencilBall<S> {
@@ -105,7 +103,7 @@ impl<S: Scalar> PencilBall<S> {
         let center = Vec3::new(along(plane.right), along(plane.down), along(plane.forward));
         let (pitch, slope) = (plane.pitch, plane.pitch * rays.convergence);
         let rows = Self::rows(center, radius, rays.distance, slope);
-        Self { center, radius, pitch, slope, rows, halvings: rays.halvings }
+        Self { center, radius, pitch, slope, rows }
     }
 
     /// The rows that can meet the ball.

@@ -152,16 +152,17 @@ pub struct ParallelRow<S: Scalar> {
 }
 
 impl<S: Scalar> Leaf<Pencil<S>> for Sphere<S> {
-    type View = Option<PencilBall<S>>;
+    type View = Option<PencilView<S>>;
     type Row = Option<PencilRow<S>>;
 
     fn seen_along(&self, rays: &Pencil<S>) -> Self::View {
-        Some(PencilBall::new(self.center.fine(), self.radius.fine(), rays))
+        let ball = PencilBall::new(self.center.fine(), self.radius.fine(), rays);
+        Some(PencilView { ball, halvings: rays.halvings })
     }
 
     #[inline]
     fn is_in_rows(&self, view: &Self::View, rows: [i32; 2]) -> bool {
-        view.as_ref().is_some_and(|view| view.is_in_rows(rows))
+        view.as_ref().is_some_and(|view| view.ball.is_in_rows(rows))
     }
 
     fn in_row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
@@ -172,11 +173,11 @@ impl<S: Scalar> Leaf<Pencil<S>> for Sphere<S> {
             halvings => parts.map(|part| part.times(shortening(halvings))),
         };
         *row = Some(PencilRow {
-            moment: short(view.moment(y)),
-            from_center: view.position(y),
-            direction: short(view.direction(y)),
+            moment: short(view.ball.moment(y)),
+            from_center: view.ball.position(y),
+            direction: short(view.ball.direction(y)),
         });
-        view.extent(y, columns)
+        view.ball.extent(y, columns)
     }
 
     #[inline]
@@ -195,6 +196,14 @@ impl<S: Scalar> Leaf<Pencil<S>> for Sphere<S> {
             Chord::Beside | Chord::Along => None,
         }
     }
+}
+
+/// A sphere, seen from an eye.
+#[derive(Debug, Clone, Copy)]
+pub struct PencilView<S: Scalar> {
+    ball: PencilBall<S>,
+    /// How often directions are halved.
+    halvings: u8,
 }
 
 /// A row of a sphere, seen from an eye: in the camera's frame.

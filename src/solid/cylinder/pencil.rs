@@ -43,6 +43,7 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
             reach: [u.dot_compensated(m), right.1, down.1],
             blur: ((radius + S::BLUR.fine()) * S::BLUR.fine()).sqrt(),
             eye_within: at_eye.length_squared() < radius * radius,
+            halvings: rays.halvings,
             caps: slab::PencilView::new(&self.caps.normal, rays),
             ball: PencilBall::new(center, ball_radius, rays),
         })
@@ -75,7 +76,7 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
         let wide = [m0.times(radius), m1.times(radius), constant(view.blur)];
         let silhouette = extent(&wide, &[reach], columns);
         let caps = slab::PencilRow::new(&view.caps, y);
-        let halvings = view.ball.halvings;
+        let halvings = view.halvings;
         let turn = match halvings {
             0 => [m0, m1],
             _ => [m0, m1].map(|part| part.times(shortening(halvings))),
@@ -98,7 +99,7 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
         let m = row.turn.map(|part| S::unit(part.at(x)));
         let chord = match S::chord(self.tube.radius, [S::moment(q, m)], q, m) {
             Chord::Between(enter, exit) => {
-                [enter, exit].map(|t| Pencil::along_whole(t, view.ball.halvings))
+                [enter, exit].map(|t| Pencil::along_whole(t, view.halvings))
             }
             Chord::Along if view.eye_within => [S::LOWEST, S::HIGHEST],
             Chord::Along | Chord::Beside => return,
@@ -132,6 +133,8 @@ pub struct PencilView<S: Scalar> {
     blur: S::Fine,
     /// Whether the eye lies inside the infinite cylinder, and with it any ray along the axis.
     eye_within: bool,
+    /// How often directions are halved.
+    halvings: u8,
     caps: slab::PencilView<S>,
     ball: PencilBall<S>,
 }
