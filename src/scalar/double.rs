@@ -1,6 +1,6 @@
 //! Unevaluated sums of two numbers: twice the working precision where a difference cancels.
 
-use super::error_free::two_sum;
+use super::error_free::{long_dot3, two_sum};
 use super::float::Float;
 
 /// `high + low`, where `low` is at most half a unit in the last place of `high`.
@@ -34,6 +34,14 @@ impl<S: Float> Double<S> {
     pub(crate) fn product(a: S, b: S) -> Self {
         let (high, low) = S::two_product(a, b);
         Self { high, low }
+    }
+
+    /// `x − y·z`, rounded once from a scalar product in twice the working precision.
+    #[inline]
+    pub(crate) fn less_dot(x: S, y: [S; 3], z: [S; 3]) -> S {
+        let (dot, lost) = long_dot3(y, z);
+        let (high, error) = two_sum(x, -dot);
+        high + (error - lost)
     }
 
     /// `self + other`; accurate also where the two nearly cancel (AccurateDWPlusDW).

@@ -128,12 +128,19 @@ pub(super) fn product_difference<S: Float>(a: S, b: S, c: S, d: S) -> S {
 /// Oishi, *Accurate sum and dot product*, SIAM Journal on Scientific Computing 26 (2005).
 #[inline]
 pub(super) fn dot3<S: Float>(x: [S; 3], y: [S; 3]) -> S {
+    let (sum, error) = long_dot3(x, y);
+    sum + error
+}
+
+/// [`dot3`] before its last rounding: the sum, and what it has lost.
+#[inline]
+pub(super) fn long_dot3<S: Float>(x: [S; 3], y: [S; 3]) -> (S, S) {
     let (p0, e0) = S::two_product(x[0], y[0]);
     let (p1, e1) = S::two_product(x[1], y[1]);
     let (p2, e2) = S::two_product(x[2], y[2]);
     let (s, f1) = two_sum(p0, p1);
     let (s, f2) = two_sum(s, p2);
-    s + (((e0 + e1) + f1) + (e2 + f2))
+    (s, ((e0 + e1) + f1) + (e2 + f2))
 }
 
 #[cfg(test)]

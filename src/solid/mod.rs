@@ -126,7 +126,8 @@ pub trait Solid: Shape {
     /// start of the ray have parameters below zero.
     ///
     /// A ray that starts very far away may enter and exit a thin solid at parameters that round
-    /// to the same number; the span is reported all the same.
+    /// to the same number; the span is reported all the same, if it has a length where the ray is counted
+    /// from (see [`Ray`]). A parameter beyond the number type's range is infinite.
     // Always inline, so that a ray stays in registers.
     #[inline(always)]
     fn trace<'a, const N: usize>(

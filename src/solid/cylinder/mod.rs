@@ -181,16 +181,13 @@ impl<S: Intersect> Solid for Cylinder<S> {
     }
 
     fn onto(&self, face: Face, near: Vec3<S>) -> Vec3<S> {
+        // From afar, a point may be off along its ray by more than its distance from the rim.
+        let Self { tube, caps } = self;
         if face == WALL {
-            return self.tube.onto(&self.caps.normal, near);
+            return caps.clamped(tube.onto(&caps.normal, near));
         }
-        let on_plane = self.caps.onto_face(face, near);
-        // From afar, a point near the rim may be off by more than that.
-        if self.tube.has(&self.caps.normal, on_plane) {
-            on_plane
-        } else {
-            self.tube.onto(&self.caps.normal, on_plane)
-        }
+        let on_plane = caps.onto_face(face, near);
+        if tube.has(&caps.normal, on_plane) { on_plane } else { tube.onto(&caps.normal, on_plane) }
     }
 
     fn normal(&self, face: Face, at: Vec3<S>) -> Vec3<S> {

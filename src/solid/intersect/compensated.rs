@@ -14,7 +14,7 @@ use super::ends::cut;
 use super::oblique::meet_ball;
 use super::{Intersect, Passage};
 use crate::geom::{Line, Vec3};
-use crate::scalar::Float;
+use crate::scalar::{Double, Float};
 use crate::solid::cylinder::{Cylinder, Tube};
 use crate::solid::slab::Slab;
 use crate::span::Span;
@@ -33,11 +33,21 @@ impl<S: Float> Tube<S> {
     }
 }
 
-/// How high a line is above the plane through the scene's origin at t = 0, and how it rises.
+/// Where a line passes the planes of a slab.
+///
+/// Along a coordinate axis the line's height is exact. Along others it's subtracted before it's rounded.
 #[inline]
-pub(super) fn heights<S: Float>(cylinder: &Cylinder<S>, line: &Line<S>) -> (S, S) {
-    let normal = &cylinder.caps.normal;
-    (normal.dot(line.origin), normal.dot(line.direction))
+pub(super) fn pass<S: Float>(slab: &Slab<S>, line: &Line<S>) -> Passage<S> {
+    let normal = &slab.normal;
+    let speed = normal.dot(line.direction);
+    match normal.along() {
+        Some(_) => slab.passage(normal.dot(line.origin), speed),
+        None => {
+            let (origin, normal) = (line.origin.to_array(), normal.vector().to_array());
+            let above = |offset| Double::less_dot(offset, origin, normal);
+            slab.passed([slab.low, slab.high].map(above), speed)
+        }
+    }
 }
 
 /// Where a line is inside the wall, wherever it starts and however near to a tangent it is.
@@ -83,8 +93,7 @@ macro_rules! intersect {
 
             #[inline]
             fn pass(slab: &Slab<Self>, line: &Line<Self>) -> Passage<Self> {
-                let (at_zero, speed) = (slab.normal.dot(line.origin), slab.normal.dot(line.direction));
-                slab.passage(at_zero, speed)
+                pass(slab, line)
             }
         }
     )+};

@@ -7,7 +7,7 @@
 
 use super::Passage;
 use super::aligned::{Aligned, gap};
-use super::compensated::{Inside, heights, meet};
+use super::compensated::{Inside, meet, pass};
 use crate::geom::{Line, Vec3};
 use crate::scalar::Float;
 use crate::solid::cylinder::{Cylinder, Tube, WALL};
@@ -148,8 +148,7 @@ fn between_any_caps<S: Float>(
     inside: Inside<S>,
     faces: &mut [Face; 2],
 ) -> Inside<S> {
-    let (at_zero, speed) = heights(cylinder, line);
-    match cylinder.caps.passage(at_zero, speed) {
+    match pass(&cylinder.caps, line) {
         Passage::Across { at, .. } => common(inside, at, faces),
         Passage::Along { inside: true } => common(inside, [S::LOWEST, S::HIGHEST], faces),
         Passage::Along { inside: false } => Tube::NOWHERE,

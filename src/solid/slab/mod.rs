@@ -123,21 +123,26 @@ impl<S: Scalar> Slab<S> {
     /// Where a line with `normal · p(t) = at_zero + t·speed` passes the planes.
     #[inline]
     pub(super) fn passage(&self, at_zero: S::Fine, speed: S::Fine) -> Passage<S> {
+        self.passed([self.low, self.high].map(|offset| offset.fine() - at_zero), speed)
+    }
+
+    /// Where a line passes the planes that are so far above it at t = 0.
+    #[inline]
+    pub(super) fn passed(&self, heights: [S::Fine; 2], speed: S::Fine) -> Passage<S> {
         if speed == S::Fine::ZERO {
-            return Passage::Along { inside: self.holds(at_zero) };
+            return Passage::Along { inside: self.holds(heights) };
         }
-        let heights = [self.low, self.high].map(|offset| offset.fine() - at_zero);
         Passage::Across { at: S::quotients(heights, speed), upwards: speed > S::Fine::ZERO }
     }
 
-    /// Whether a line along the planes, at height `normal · p`, is inside.
+    /// Whether a line along the planes is inside.
     ///
     /// One of the two planes belongs to the slab: the lower one as seen along the first
     /// coordinate axis that isn't parallel to them. So of two slabs on either side of a plane,
     /// exactly one has it, whichever way their normals point.
-    fn holds(&self, height: S::Fine) -> bool {
-        self.has(self.low.fine() <= height, self.low.fine() < height)
-            && self.has(height < self.high.fine(), height <= self.high.fine())
+    fn holds(&self, [low, high]: [S::Fine; 2]) -> bool {
+        let zero = S::Fine::ZERO;
+        self.has(low <= zero, low < zero) && self.has(zero < high, zero <= high)
     }
 
     /// What counts for a plane: the first answer if the lower one belongs to the slab, or else
@@ -157,6 +162,16 @@ impl<S: Scalar> Slab<S> {
     pub(super) fn onto_face(&self, face: Face, near: Vec3<S>) -> Vec3<S> {
         let offset = if face.0 == 0 { self.low } else { self.high };
         near + self.normal.times(offset.minus(self.normal.dot(near)))
+    }
+
+    /// The point itself if it is between the planes, or else the nearest one that is.
+    pub(super) fn clamped(&self, point: Vec3<S>) -> Vec3<S> {
+        let height = self.normal.dot(point);
+        match () {
+            () if height < self.low => self.onto_face(Face(0), point),
+            () if height > self.high => self.onto_face(Face(1), point),
+            () => point,
+        }
     }
 
     #[inline]
