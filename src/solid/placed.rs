@@ -8,6 +8,10 @@ use crate::span::{Face, SpanStack};
 /// A solid moved by a rigid motion. The solid itself is borrowed, so one can stand in many places.
 ///
 /// Nothing is moved but the rays: once per picture, or once per single ray.
+///
+/// To move what is placed already, put one pose after the other ([`Pose::then`]), which is checked. A
+/// placed solid that is placed again has no such check: in fixed point, a ray that is out of range in
+/// the innermost frame (farther than 2³⁰ units from its origin) meets nothing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Placed<'a, T: Shape> {
     solid: &'a T,
