@@ -9,7 +9,7 @@ use crate::span::{Face, Span, SpanList};
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Hit<S> {
-    /// The ray's parameter, ≥ 0.
+    /// The ray's parameter, ≥ 0; infinite where it is beyond the number type's range.
     pub t: S,
     /// The face that is seen.
     pub face: Face,
