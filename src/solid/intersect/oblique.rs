@@ -102,7 +102,8 @@ impl<S: Float> Sums<S> {
             return (discriminant < -error).then_some(Tube::NOWHERE);
         }
         let s = discriminant.sqrt() + b.abs();
-        let is_precise = discriminant * s * s * S::from_int(2) > of_k.max(largest * largest);
+        let quotient = discriminant * s * s * S::from_int(2);
+        let is_precise = quotient > largest * largest && quotient * S::from_int(4) > of_k;
         if !(is_precise && s * s * S::from_int(4) > from_axis * a) {
             return None;
         }
