@@ -1,9 +1,8 @@
 //! What a ray sees: the first crossing, the point there, and the normal.
 
-use super::Solid;
-use crate::geom::{Line, Ray, Vec3};
+use crate::geom::{Line, Vec3};
 use crate::scalar::Scalar;
-use crate::span::{Face, Span, SpanList};
+use crate::span::{Face, Span};
 
 /// What a ray sees of a solid.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,60 +45,6 @@ pub fn first_seen<S: Scalar>(spans: &[Span<S>], start: S) -> Option<Seen<S>> {
         }
     }
     None
-}
-
-/// Whether a span begins or ends nearer to the ray's start than to where its parameter is counted from.
-///
-/// Then the ray doesn't start far from everything, and near its start the shift costs digits.
-#[inline]
-pub(super) fn is_near_start<S: Scalar>(ray: &Ray<S>, spans: &[Span<S>]) -> bool {
-    let is_near =
-        |span: &Span<S>| ray.is_near_start(span.enter.t) || ray.is_near_start(span.exit.t);
-    ray.is_moved() && spans.iter().any(is_near)
-}
-
-/// Fills the list with the spans of the ray's line, counted from its start. Returns the ray, counted so.
-#[cold]
-#[inline(never)]
-pub(super) fn spans_from_start<T: Solid + ?Sized, const N: usize>(
-    solid: &T,
-    ray: &Ray<T::Scalar>,
-    list: &mut SpanList<T::Scalar, N>,
-) -> Ray<T::Scalar> {
-    let ray = ray.from_start();
-    solid.line_spans(ray.line(), list);
-    ray
-}
-
-/// The spans of a ray whose parameter is counted from elsewhere than its start, in its own parameter; and
-/// how many there are.
-// A list of its own, and not alone: written through a reference, the caller's couldn't stay in registers for
-// all other rays, which costs these 20 instructions on a Cortex-M4F.
-#[cold]
-#[inline(never)]
-pub(super) fn trace_moved<T: Solid + ?Sized, const N: usize>(
-    solid: &T,
-    ray: &Ray<T::Scalar>,
-) -> (SpanList<T::Scalar, N>, usize) {
-    let mut list = SpanList::new();
-    solid.line_spans(ray.line(), &mut list);
-    if is_near_start(ray, &list) {
-        let again = spans_from_start(solid, ray, &mut list);
-        count_along(&again, &mut list);
-    } else {
-        count_along(ray, &mut list);
-    }
-    let count = list.len();
-    (list, count)
-}
-
-/// Turns the line's parameters into the ray's.
-#[inline(always)]
-fn count_along<S: Scalar, const N: usize>(ray: &Ray<S>, list: &mut SpanList<S, N>) {
-    for span in list.as_mut_slice() {
-        span.enter.t = ray.parameter(span.enter.t);
-        span.exit.t = ray.parameter(span.exit.t);
-    }
 }
 
 /// The point of a surface where a line meets it at `t`, and the normal on the side that is seen; `at`

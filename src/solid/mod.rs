@@ -31,6 +31,7 @@ mod group;
 mod hit;
 mod intersect;
 mod leaf;
+mod moved;
 mod paint;
 mod pipe;
 mod placed;
@@ -54,7 +55,8 @@ pub use slab::{Slab, SlabError};
 pub use sphere::{Sphere, SphereError};
 pub use wall::{CylinderWall, WallHit};
 
-use self::hit::{is_near_start, seen_at, spans_from_start, trace_moved};
+use self::hit::seen_at;
+use self::moved::{is_near_start, seen_near, trace_moved};
 use crate::geom::{Line, Ray, Vec3};
 use crate::scalar::Scalar;
 use crate::span::{Face, Span, SpanList, SpanStack};
@@ -156,14 +158,12 @@ pub trait Solid: Shape {
         list: &mut SpanList<Self::Scalar, N>,
     ) -> Option<Hit<Self::Scalar>> {
         self.line_spans(ray.line(), list);
-        let again;
-        let ray = if is_near_start(ray, list) {
-            again = spans_from_start(self, ray, list);
-            &again
+        let (ray, seen) = if is_near_start(ray, list) {
+            seen_near(self, ray, list)?
         } else {
-            ray
+            (*ray, first_seen(list, ray.start())?)
         };
-        let Seen { t, face, inside } = first_seen(list.as_slice(), ray.start())?;
+        let Seen { t, face, inside } = seen;
         let [point, normal] = seen_at(ray.line(), t, inside, |near| {
             let point = self.onto(face, near);
             [point, self.normal(face, point)]

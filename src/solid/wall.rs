@@ -45,26 +45,29 @@ impl<S: Intersect> CylinderWall<S> {
     /// that starts inside. A tangent ray touches the outer face. The rim belongs to the wall.
     #[must_use]
     pub fn hit(&self, ray: &Ray<S>) -> Option<WallHit<S>> {
-        let points = S::meet_wall(&self.cylinder, ray.line());
-        let is_near = |t: &Option<S>| t.is_some_and(|t| ray.is_near_start(t));
-        if ray.is_moved() && points.iter().any(is_near) {
-            let ray = ray.from_start();
-            return self.seen(&ray, S::meet_wall(&self.cylinder, ray.line()));
-        }
-        self.seen(ray, points)
+        let cylinder = &self.cylinder;
+        let points = S::meet_wall(cylinder, ray.line());
+        let is_near = |t: Option<S>| t.is_some_and(|t| ray.is_near_start(t));
+        let has_near = ray.is_moved() && points.into_iter().any(is_near);
+        let own = ray.from_start();
+        let [enter, exit] = if has_near { S::meet_wall(cylinder, own.line()) } else { points };
+        let counted = |point, from_start| {
+            if has_near && is_near(point) { (&own, from_start) } else { (ray, point) }
+        };
+        let [first, last] = points;
+        [(counted(first, enter), false), (counted(last, exit), true)]
+            .into_iter()
+            .filter_map(|((ray, t), inner)| Some((ray, t?, inner)))
+            .find(|&(ray, t, _)| t >= ray.start())
+            .map(|(ray, t, inner)| self.seen(ray, t, inner))
     }
 
-    /// What the ray sees of where its line enters and exits.
-    fn seen(&self, ray: &Ray<S>, [enter, exit]: [Option<S>; 2]) -> Option<WallHit<S>> {
+    fn seen(&self, ray: &Ray<S>, t: S, inner: bool) -> WallHit<S> {
         let Cylinder { tube, caps } = &self.cylinder;
-        let (t, inner) = [(enter, false), (exit, true)]
-            .into_iter()
-            .filter_map(|(t, inner)| Some((t?, inner)))
-            .find(|&(t, _)| t >= ray.start())?;
         let [point, normal] = seen_at(ray.line(), t, inner, |near| {
-            let point = tube.onto(&caps.normal, near);
+            let point = caps.clamped(tube.onto(&caps.normal, near));
             [point, tube.normal(&caps.normal, point, |normal| normal)]
         });
-        Some(WallHit { t: ray.parameter(t), point, normal, inner })
+        WallHit { t: ray.parameter(t), point, normal, inner }
     }
 }

@@ -22,6 +22,7 @@ macro_rules! for_every_float {
 for_every_float!(
     from_a_million_radii,
     aimed_at_the_origin_by_chance,
+    near_the_eye_and_far_away_at_once,
     very_small_and_very_large_radii,
     powers_of_two_scale_t_exactly,
     enormous_and_minute_factors,
@@ -95,6 +96,48 @@ fn aimed_at_the_origin_by_chance<S: Float>() {
             assert!((hit.t.to_f64() / want - 1.0).abs() <= 4.0 * S::UNIT, "{:?} not {want}", hit.t);
             assert!(hit.inner);
         }
+    }
+}
+
+/// Counted from the scene's origin, what is near the eye has few digits, and counted from the eye, a thin
+/// wall far away has no thickness: neither may cost the other.
+fn near_the_eye_and_far_away_at_once<S: Float>() {
+    let (thin, far) = (0.99, 1.0 / (8.0 * S::UNIT));
+    let pipe = rod::<S>(1.0, -2.0, 2.0) - rod::<S>(1.0 - 0.01 * thin, -2.0, 2.0);
+    let down = ray::<S>([0.0, 0.0, far], [0.0, 0.0, -1.0]);
+    let away = ray::<S>([0.0, 0.0, -far], [0.0, 0.0, -1.0]);
+    let walls = spans(&pipe, &down);
+    assert_eq!((walls.len(), walls[0].0), (2, far - 1.0));
+    let mut list = SpanList::<S, 6>::new();
+    let first = pipe.hit(&down, &mut list).unwrap();
+    for (gap, is_seen) in [(-9.0, false), (-0.125, false), (0.0, true), (0.125, true), (9.0, true)]
+    {
+        // Behind the eye, or before it; its near side at this distance.
+        let lid = S::slab_along(2, S::near(far - gap - 1.0), S::near(far - gap)).unwrap();
+        let lid = if is_seen {
+            lid
+        } else {
+            S::slab_along(2, S::near(far - gap), S::near(far - gap + 1.0)).unwrap()
+        };
+        let both = lid | pipe;
+        let got = spans(&both, &down);
+        assert_eq!(got.len(), 3, "{gap}");
+        assert_eq!(got[1..], walls, "{gap}");
+        let hit = both.hit(&down, &mut list).unwrap();
+        let near = far - S::near(far - gap).to_f64();
+        if is_seen {
+            assert_eq!((hit.t.to_f64(), got[0].0, hit.inside), (near, near, false));
+        } else {
+            assert_eq!(
+                (hit.t, hit.point, hit.normal),
+                (first.t, first.point, first.normal),
+                "{gap}"
+            );
+        }
+        // The other way round: all is behind the eye, the lid with a face a little before it.
+        let lid = S::slab_along(2, S::near(-far - 0.125), S::ONE).unwrap();
+        let hit = (lid | pipe).hit(&away, &mut list).unwrap();
+        assert_eq!((hit.t.to_f64(), hit.inside), (0.125, true));
     }
 }
 

@@ -1,0 +1,110 @@
+//! Rays whose parameter is counted from elsewhere than their start.
+//!
+//! That pays where they start far from everything; near their start, it costs digits. So if a span begins or ends
+//! nearer to the start than to where the parameter is counted from, the ray is asked a second time, counted
+//! from its start. What is nearer to there is taken from the second answer, and all else from the first one.
+
+use super::Solid;
+use super::hit::{Seen, first_seen};
+use crate::geom::Ray;
+use crate::scalar::{Number, Real, Scalar};
+use crate::span::{Crossing, Span, SpanList};
+
+/// Whether a span begins or ends nearer to the ray's start than to where its parameter is counted from.
+#[inline]
+pub(super) fn is_near_start<S: Scalar>(ray: &Ray<S>, spans: &[Span<S>]) -> bool {
+    ray.is_moved() && crossings(spans).any(|crossing| ray.is_near_start(crossing.t))
+}
+
+/// The spans of such a ray in its own parameter, and how many there are.
+// A list of its own, and not alone: written through a reference, the caller's couldn't stay in registers for
+// all other rays, which costs these 20 instructions on a Cortex-M4F.
+#[cold]
+#[inline(never)]
+pub(super) fn trace_moved<T: Solid + ?Sized, const N: usize>(
+    solid: &T,
+    ray: &Ray<T::Scalar>,
+) -> (SpanList<T::Scalar, N>, usize) {
+    let mut list = SpanList::new();
+    solid.line_spans(ray.line(), &mut list);
+    let has_near = is_near_start(ray, &list);
+    count_along(ray, &mut list);
+    if has_near {
+        let (own, mut near) = spans_from_start::<T, N>(solid, ray);
+        count_along(&own, &mut near);
+        let border = ray.scaled(half(ray.start().negated()));
+        let [first, last] = if border > T::Scalar::ZERO { [&near, &list] } else { [&list, &near] };
+        if let Some(both) = spliced(first, last, border) {
+            list = both;
+        }
+    }
+    let count = list.len();
+    (list, count)
+}
+
+/// What such a ray sees, and the ray as it is counted there; `moved` are its spans.
+#[cold]
+#[inline(never)]
+pub(super) fn seen_near<S: Scalar, T: Solid<Scalar = S> + ?Sized, const N: usize>(
+    solid: &T,
+    ray: &Ray<S>,
+    moved: &SpanList<S, N>,
+) -> Option<(Ray<S>, Seen<S>)> {
+    let (own, list) = spans_from_start::<T, N>(solid, ray);
+    let (border, zero) = (half(ray.start().negated()), S::ZERO);
+    let near = first_seen(&list, zero).filter(|seen| seen.t < border || border < zero);
+    if let Some(seen) = near {
+        return Some((own, seen));
+    }
+    // Nothing is before the border, so all from half-way to there on is behind it, but for rounding.
+    let start = ray.start().plus(half(border));
+    (border > zero).then(|| first_seen(moved, start)).flatten().map(|seen| (*ray, seen))
+}
+
+fn half<S: Scalar>(length: S) -> S {
+    S::from_fine(length.fine() * S::Fine::HALF)
+}
+
+#[inline(never)]
+fn spans_from_start<T: Solid + ?Sized, const N: usize>(
+    solid: &T,
+    ray: &Ray<T::Scalar>,
+) -> (Ray<T::Scalar>, SpanList<T::Scalar, N>) {
+    let (ray, mut list) = (ray.from_start(), SpanList::new());
+    solid.line_spans(ray.line(), &mut list);
+    (ray, list)
+}
+
+/// Turns the line's parameters into the ray's.
+fn count_along<S: Scalar, const N: usize>(ray: &Ray<S>, list: &mut SpanList<S, N>) {
+    for span in list.as_mut_slice() {
+        span.enter.t = ray.parameter(span.enter.t);
+        span.exit.t = ray.parameter(span.exit.t);
+    }
+}
+
+fn crossings<S: Scalar>(spans: &[Span<S>]) -> impl Iterator<Item = Crossing<S>> {
+    spans.iter().flat_map(|span| [span.enter, span.exit])
+}
+
+/// The spans of the first list before `border`, and those of the last one behind it; `None` if one
+/// of them is inside there and the other isn't, which is so only if a crossing is there.
+fn spliced<S: Scalar, const N: usize>(
+    first: &[Span<S>],
+    last: &[Span<S>],
+    border: S,
+) -> Option<SpanList<S, N>> {
+    let is_before = |crossing: &Crossing<S>| crossing.t < border;
+    let is_inside = |spans| crossings(spans).filter(is_before).count() % 2 == 1;
+    if is_inside(first) != is_inside(last) {
+        return None;
+    }
+    let behind = crossings(last).filter(|crossing| !is_before(crossing));
+    let mut both = crossings(first).filter(is_before).chain(behind);
+    let mut list = SpanList::new();
+    let mut stack = list.stack();
+    while let (Some(enter), Some(exit)) = (both.next(), both.next()) {
+        stack.put(Span { enter, exit });
+    }
+    Some(list)
+}
