@@ -121,6 +121,10 @@ pub trait Rays: Copy {
     /// The smallest parameter that the camera sees.
     fn start(&self) -> Self::Scalar;
 
+    /// Whether a picture of so many rows keeps inside the number type's range: in fixed point, the image
+    /// plane may reach to half of that ([`Scalar::HIGHEST`]).
+    fn fits(&self, rows: u16) -> bool;
+
     /// The same rays in the own frame of a solid that stands at `pose`.
     #[must_use]
     fn back_from(&self, pose: &Pose<Self::Scalar>) -> Self;
@@ -209,6 +213,12 @@ impl<S: Scalar> Rays for Parallel<S> {
     type Scalar = S;
     type Row = ParallelRays<S>;
 
+    fn fits(&self, rows: u16) -> bool {
+        // More than from the middle to a corner.
+        let half_pixels = S::Fine::from_int(self.columns as i32 + i32::from(rows));
+        self.pitch * half_pixels < S::HIGHEST.fine() * S::Fine::HALF
+    }
+
     fn columns(&self) -> u32 {
         self.columns
     }
@@ -291,6 +301,10 @@ impl<S: Scalar> RayRow for PencilRays<S> {
 impl<S: Scalar> Rays for Pencil<S> {
     type Scalar = S;
     type Row = PencilRays<S>;
+
+    fn fits(&self, rows: u16) -> bool {
+        self.plane.fits(rows)
+    }
 
     fn columns(&self) -> u32 {
         self.plane.columns

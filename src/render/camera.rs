@@ -164,9 +164,6 @@ impl<S: Scalar> Camera for Orthographic<S> {
 }
 
 /// A camera at a point: rays run from its eye through the pixels.
-///
-/// In fixed point, coordinates in the plane through the target must be inside the number type's range
-/// (±32,768 in `I16F16`) as far as the picture shows that plane; pixels beyond are bent towards it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Perspective<S: Scalar> {

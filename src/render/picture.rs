@@ -59,10 +59,15 @@ pub enum RowError {
     Index,
     /// The caller's slice has not as many pixels as there are columns to fill.
     Length,
+    /// The picture shows more of the scene than its number type can: in fixed point, its width and height
+    /// together, in the plane through the target, must be less than the number type's range (32,768 in
+    /// `I16F16`).
+    Range,
 }
 
 crate::error_text!(RowError {
     Index => "the index of a row or column is not inside the picture",
+    Range => "the picture shows more of the scene than its number type's range",
     Length => "the slice for the pixels is shorter or longer than the row or run",
 });
 
@@ -112,7 +117,7 @@ where
     /// Does now what the first row would do otherwise: computes what the camera decides about every
     /// primitive. For those who want every row to take the same time.
     pub fn prepare(&mut self) {
-        if !self.has_view {
+        if !self.has_view && self.rays.fits(self.size.height()) {
             self.solid.view(&self.rays, &mut self.view);
             self.has_view = true;
         }
@@ -121,12 +126,15 @@ where
     /// Row `y`, counted from the top. Rows may be rendered in any order, and again.
     ///
     /// # Errors
-    /// [`RowError::Index`].
+    /// [`RowError::Index`], [`RowError::Range`].
     pub fn scanline(&mut self, y: u16) -> Result<Scanline<'_, 'a, T, R, H, P>, RowError> {
         if y >= self.size.height() {
             return Err(RowError::Index);
         }
         self.prepare();
+        if !self.has_view {
+            return Err(RowError::Range);
+        }
         let from_middle = from_middle(y, self.size.height());
         let columns = self.size.width().into();
         self.solid.row(&self.view, from_middle, columns, &mut self.row);

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use scancsg::constant;
 use scancsg::geom::{Ray, RayError, Rays, Vec3, vec3};
 use scancsg::render::{
-    Camera, Depth, Gray8, Lambert, Orthographic, Perspective, Picture, Shader, Size, XRay,
+    Camera, Depth, Gray8, Lambert, Orthographic, Perspective, Picture, RowError, Shader, Size, XRay,
 };
 use scancsg::scalar::{I16F16, Scalar};
 use scancsg::solid::{
@@ -386,7 +386,10 @@ where
         let mut picture = Picture::new(solid, camera, size, shader, Gray8(7));
         let mut list = SpanList::<S, 16>::new();
         for y in [0, height / 2, height - 1] {
-            let mut scanline = picture.scanline(y).unwrap();
+            let mut scanline = match picture.scanline(y) {
+                Err(RowError::Range) => return Ok(()),
+                scanline => scanline.unwrap(),
+            };
             let mut row = vec![Gray8(0); width.into()];
             scanline.render(&mut row).unwrap();
             for x in [0, 1, width / 3, width / 2, width - 1] {
@@ -420,8 +423,10 @@ fn any_picture_can_be_taken() {
         1 => Just([4000, 1]),
         1 => Just([1, u16::MAX]),
     ];
+    // Of any size, since most of the largest ones show more than the range.
+    let frame = (any_number(), 0..24u32).prop_map(|(x, drop)| S::from_bits(x.to_bits() >> drop));
     proptest!(ProptestConfig::with_cases(300), |(
-        solid in anything(), (eye, target, way, up) in views, frame in any_number(),
+        solid in anything(), (eye, target, way, up) in views, frame in frame,
         numbers in [any_number(), any_number(), any_number()], light in any_vector(), size in sizes,
     )| {
         if let Ok(camera) = Orthographic::look_along(way, target, up, frame) {
@@ -464,4 +469,30 @@ fn very_wide_pictures() {
         far += u32::from(sideways(column) > 10.0);
     }
     assert!(far > 40, "only {far} to the side");
+}
+
+/// Coordinates in the image plane would stop at the end of the range, and rays be others than their pixels'.
+#[test]
+fn pictures_wider_than_the_range() {
+    fn first_row<S: Tested>(width: u16, height: u16) -> Option<RowError> {
+        let part = ball::<S>([0.0; 3], 1.0);
+        let (eye, target, up) = ([0.0, 0.0, 100.0], [0.0; 3], [0.0, 1.0, 0.0]);
+        let size = Size::new(width, height).unwrap();
+        let shader = XRay::new(S::ONE).unwrap();
+        // As high as it is far away.
+        let angle = S::near(2.0 * 0.5f64.atan());
+        let eyes = Perspective::look_at(vector(eye), vector(target), vector(up), angle).unwrap();
+        let seen = Picture::new(&part, &eyes, size, shader, Gray8(0)).scanline(0).err();
+        let along = Orthographic::look_at(vector(eye), vector(target), vector(up), S::near(100.0));
+        let mut picture = Picture::new(&part, &along.unwrap(), size, shader, Gray8(0));
+        picture.prepare();
+        assert_eq!(picture.scanline(0).err(), seen);
+        seen
+    }
+    // 100 units high, and 32,500 or 33,000 wide.
+    assert_eq!(first_row::<I16F16>(650, 2), None);
+    assert_eq!(first_row::<I16F16>(660, 2), Some(RowError::Range));
+    assert_eq!(first_row::<I16F16>(u16::MAX, 1), Some(RowError::Range));
+    assert_eq!(first_row::<I24F8>(660, 2), None);
+    assert_eq!(first_row::<f32>(u16::MAX, 1), None);
 }
