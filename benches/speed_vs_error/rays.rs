@@ -26,6 +26,7 @@ pub enum Group {
     Unnormalised,
     Exact,
     Fixed,
+    FixedShort,
     Invalid,
     Ball,
     BallInside,
@@ -34,7 +35,7 @@ pub enum Group {
 }
 
 impl Group {
-    pub const ALL: [(Self, &str); 22] = [
+    pub const ALL: [(Self, &str); 23] = [
         (Self::Benign, "benign"),
         (Self::BenignMoved, "benign_moved"),
         (Self::Far, "far"),
@@ -52,6 +53,7 @@ impl Group {
         (Self::Unnormalised, "unnorm"),
         (Self::Exact, "exact"),
         (Self::Fixed, "fixed"),
+        (Self::FixedShort, "fixed_short"),
         (Self::Invalid, "invalid"),
         (Self::Ball, "ball"),
         (Self::BallInside, "ball_inside"),
@@ -127,7 +129,7 @@ pub const SETS: &[Set] = sets! {
     Fixed Usual "fixed_reach" from_reach;
     Fixed Units "fixed_units" at_a_wire;
     Fixed Reach "fixed_large" graze_large;
-    Fixed Tiny "fixed_short" short_chord;
+    FixedShort Tiny "fixed_short" short_chord;
     Fixed Fifths "fixed_rim" through_a_rim;
     Invalid Usual "zero" zero;
     Invalid Usual "nan" |random, r, h| spoilt(random, r, h, f64::NAN);

@@ -103,10 +103,11 @@ intersect!(f32, f64);
 
 #[cfg(test)]
 mod tests {
-    use crate::geom::{Ray, vec3};
+    use super::pass;
+    use crate::geom::{Line, Ray, Vec3, vec3};
     use crate::scalar::Float;
-    use crate::solid::intersect::units_off;
-    use crate::solid::{Cylinder, Solid};
+    use crate::solid::intersect::{Passage, units_off};
+    use crate::solid::{Cylinder, Slab, Solid};
     use crate::span::SpanList;
     use proptest::prelude::*;
     use std::vec::Vec;
@@ -165,6 +166,38 @@ mod tests {
             prop_assume!(want[0].iter().all(|t| t.abs() > 1e-4));
             for (got, want) in got.iter().flatten().zip(want.iter().flatten()) {
                 prop_assert!(units_off(*got, *want, 0.0) < 6.0, "{got} not {want}");
+            }
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+        /// Far from the scene's origin and near the plane, the line's height is rounded to more than what is
+        /// left of it.
+        #[test]
+        fn oblique_planes_as_in_double_precision(
+            normal in prop::array::uniform3(-1f32..1.0), base in prop::array::uniform3(-100f32..100.0),
+            o in prop::array::uniform3(-2f32..2.0), d in prop::array::uniform3(-1f32..1.0),
+        ) {
+            let normal = Vec3::from(normal);
+            prop_assume!(normal.length_squared() > 0.01);
+            let base = Vec3::from(base);
+            let near = base.dot(normal.normalized().unwrap_or(Vec3::ZERO));
+            let slab = Slab::<f32>::new(normal, near, near + 1.0);
+            let slab = slab.map_err(|error| TestCaseError::fail(error.as_str()))?;
+            let line = Line { origin: base + Vec3::from(o), direction: Vec3::from(d) };
+            let wide = |v: Vec3<f32>| v.map(f64::from);
+            let (axis, offsets) = (wide(slab.normal.vector()), [slab.low, slab.high].map(f64::from));
+            let (at_zero, speed) = (axis.dot(wide(line.origin)), axis.dot(wide(line.direction)));
+            // f64 knows these to a few 2⁻⁵² of their terms.
+            prop_assume!(speed.abs() > 1e-3);
+            let Passage::Across { at, .. } = pass(&slab, &line) else {
+                return Err(TestCaseError::fail("along the planes"));
+            };
+            for (got, offset) in at.into_iter().zip(offsets) {
+                let want = (offset - at_zero) / speed;
+                prop_assert!(units_off(got, want, 1e-5) < 2.5, "{got} not {want}");
             }
         }
     }
