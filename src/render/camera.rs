@@ -23,7 +23,7 @@ pub enum CameraError {
     /// The viewing direction is zero: the eye lies on the target, or too near to it to have an
     /// inverse distance.
     ZeroDirection,
-    /// The target or the eye is farther away than [`Scalar::REACH`].
+    /// A coordinate of the target, or the eye's distance from it, is larger than [`Scalar::REACH`].
     TooFar,
     /// The camera looks along its up vector, or that vector is zero.
     UpAlongView,

@@ -65,9 +65,9 @@ pub(super) fn seen_at<S: Scalar>(
     };
     let is_some = |normal: Vec3<S>| normal.max_abs() > S::ZERO;
     let first @ [_, normal] = seen(t);
-    // The sign alone would also tell of a tangent whose normal was rounded.
-    let along = normal.dot(line.direction);
-    if is_some(normal) && along.plus(along) <= line.direction.max_abs() {
+    // By more than an eighth: the sign alone would also tell of a tangent whose normal was rounded.
+    let along = (0..3).fold(normal.dot(line.direction), |along, _| along.plus(along));
+    if is_some(normal) && along <= line.direction.max_abs() {
         return first;
     }
     let farther_out = if inside { t.negated().next_below().negated() } else { t.next_below() };

@@ -102,7 +102,7 @@ fn thinner_than_a_unit_of_the_parameter<S: Tested>() {
             center[i] + past + f64::from(steps) * S::UNIT * way[i]
         });
         let ray = Ray::<S>::new(vector(from), vector(way)).unwrap();
-        check(axis, center, radius, &ray, way, 0.6)?;
+        check(axis, center, radius, &ray, way, 0.2)?;
     });
     // By half a unit of t: the nearest point of the line that t can say is on the axis.
     let rod = S::along(0, [S::ZERO; 2], S::near(0.1), S::ONE.negated(), S::ONE).unwrap();
