@@ -138,8 +138,12 @@ pub trait Solid: Shape {
         list: &'a mut SpanList<Self::Scalar, N>,
     ) -> &'a [Span<Self::Scalar>] {
         if ray.is_moved() {
-            let (spans, _) = trace_moved(self, ray);
-            *list = spans;
+            // In pieces: a list copied as a whole waits for what was just written to it.
+            let spans = trace_moved::<_, N>(self, ray);
+            let mut stack = list.stack();
+            for &Span { enter, exit } in spans.as_slice() {
+                stack.put(Span { enter, exit });
+            }
             return list.as_slice();
         }
         self.line_spans(ray.line(), list);

@@ -16,30 +16,45 @@ pub(super) fn is_near_start<S: Scalar>(ray: &Ray<S>, spans: &[Span<S>]) -> bool 
     ray.is_moved() && crossings(spans).any(|crossing| ray.is_near_start(crossing.t))
 }
 
-/// The spans of such a ray in its own parameter, and how many there are.
-// A list of its own, and not alone: written through a reference, the caller's couldn't stay in registers for
-// all other rays, which costs these 20 instructions on a Cortex-M4F.
+/// The spans of such a ray in its own parameter.
+// A list of its own: written through a reference, the caller's couldn't stay in registers for all other
+// rays, which costs these 20 instructions on a Cortex-M4F.
 #[cold]
 #[inline(never)]
 pub(super) fn trace_moved<T: Solid + ?Sized, const N: usize>(
     solid: &T,
     ray: &Ray<T::Scalar>,
-) -> (SpanList<T::Scalar, N>, usize) {
+) -> SpanList<T::Scalar, N> {
     let mut list = SpanList::new();
     solid.line_spans(ray.line(), &mut list);
-    let has_near = is_near_start(ray, &list);
-    count_along(ray, &mut list);
-    if has_near {
-        let (own, mut near) = spans_from_start::<T, N>(solid, ray);
-        count_along(&own, &mut near);
-        let border = ray.scaled(half(ray.start().negated()));
-        let [first, last] = if border > T::Scalar::ZERO { [&near, &list] } else { [&list, &near] };
-        if let Some(both) = spliced(first, last, border) {
-            list = both;
-        }
+    let mut has_near = false;
+    for Span { enter, exit } in list.as_mut_slice() {
+        has_near |= ray.is_near_start(enter.t) || ray.is_near_start(exit.t);
+        (enter.t, exit.t) = (ray.parameter(enter.t), ray.parameter(exit.t));
     }
-    let count = list.len();
-    (list, count)
+    if has_near {
+        add_near(solid, ray, &mut list);
+    }
+    list
+}
+
+/// Replaces what is nearer to the start by what the ray has there if it is counted from its start.
+#[cold]
+#[inline(never)]
+fn add_near<T: Solid + ?Sized, const N: usize>(
+    solid: &T,
+    ray: &Ray<T::Scalar>,
+    list: &mut SpanList<T::Scalar, N>,
+) {
+    let (own, mut near) = spans_from_start::<T, N>(solid, ray);
+    for Span { enter, exit } in near.as_mut_slice() {
+        (enter.t, exit.t) = (own.parameter(enter.t), own.parameter(exit.t));
+    }
+    let border = ray.scaled(half(ray.start().negated()));
+    let [first, last] = if border > T::Scalar::ZERO { [&near, &*list] } else { [&*list, &near] };
+    if let Some(both) = spliced(first, last, border) {
+        *list = both;
+    }
 }
 
 /// What such a ray sees, and the ray as it is counted there; `moved` are its spans.
@@ -73,14 +88,6 @@ fn spans_from_start<T: Solid + ?Sized, const N: usize>(
     let (ray, mut list) = (ray.from_start(), SpanList::new());
     solid.line_spans(ray.line(), &mut list);
     (ray, list)
-}
-
-/// Turns the line's parameters into the ray's.
-fn count_along<S: Scalar, const N: usize>(ray: &Ray<S>, list: &mut SpanList<S, N>) {
-    for span in list.as_mut_slice() {
-        span.enter.t = ray.parameter(span.enter.t);
-        span.exit.t = ray.parameter(span.exit.t);
-    }
 }
 
 fn crossings<S: Scalar>(spans: &[Span<S>]) -> impl Iterator<Item = Crossing<S>> {
