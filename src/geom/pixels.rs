@@ -303,7 +303,10 @@ impl<S: Scalar> Rays for Pencil<S> {
     type Row = PencilRays<S>;
 
     fn fits(&self, rows: u16) -> bool {
-        self.plane.fits(rows)
+        // What half a pixel adds to a moment about a solid as far from the target as may be, which is less
+        // than four times the reach, must be below 2³¹. Floating point has no such range.
+        let most = S::Fine::from_int(1 << 29) / S::REACH.fine();
+        self.plane.fits(rows) && (S::SHORTEST <= S::ZERO || self.plane.pitch < most)
     }
 
     fn columns(&self) -> u32 {

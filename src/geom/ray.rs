@@ -113,7 +113,13 @@ impl<S: Scalar> Ray<S> {
     #[must_use]
     #[inline]
     pub fn parameter(&self, of_line: S) -> S {
-        self.scaled(of_line.plus(self.offset))
+        self.scaled(self.since_start(of_line))
+    }
+
+    /// The line's parameter, counted from the start of the ray.
+    #[inline]
+    pub(crate) fn since_start(&self, of_line: S) -> S {
+        of_line.plus(self.offset)
     }
 
     /// The ray's parameter for one of its line that is counted from its start.
@@ -123,6 +129,9 @@ impl<S: Scalar> Ray<S> {
     }
 
     /// The same ray, its parameter counted from its start.
+    ///
+    /// For solids just before a start that is far from the scene's origin: those smaller than 10⁻⁷ of that
+    /// distance may be missed where the ray passes near the origin, if nothing else is near the start.
     #[must_use]
     #[inline]
     pub fn from_start(&self) -> Self {
@@ -133,7 +142,7 @@ impl<S: Scalar> Ray<S> {
     /// its parameter is counted from.
     #[inline]
     pub(crate) fn is_near_start(&self, of_line: S) -> bool {
-        of_line.plus(self.offset).abs() < of_line.abs()
+        self.since_start(of_line).abs() < of_line.abs()
     }
 
     /// Whether its parameter is counted from elsewhere than its start.

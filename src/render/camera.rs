@@ -95,10 +95,11 @@ fn checked_height<S: Scalar>(frame_height: S::Fine) -> Result<S::Fine, CameraErr
 }
 
 /// How often a number must be halved to fit the type of directions' coordinates.
-fn halvings<S: Scalar>(mut largest: S::Fine) -> u8 {
+fn halvings<S: Scalar>(largest: S::Fine) -> u8 {
+    // A whole number is exact in that type, unless it's beyond the end of the range.
+    let mut largest = S::Fine::from_int(largest.floor_to_i32().saturating_add(1));
     let mut halvings = 0;
-    // What doesn't fit becomes the end of the range; what does is rounded.
-    while S::fine_unit(S::unit(largest)) + S::Fine::HALF < largest && halvings < MOST_HALVINGS {
+    while S::fine_unit(S::unit(largest)) < largest && halvings < MOST_HALVINGS {
         largest = largest * S::Fine::HALF;
         halvings += 1;
     }

@@ -61,7 +61,7 @@ pub enum RowError {
     Length,
     /// The picture shows more of the scene than its number type can: in fixed point, its width and height
     /// together, in the plane through the target, must be less than the number type's range (32,768 in
-    /// `I16F16`).
+    /// `I16F16`), and in perspective a pixel times [`Scalar::REACH`](crate::scalar::Scalar::REACH) less than 2³⁰.
     Range,
 }
 

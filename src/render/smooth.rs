@@ -175,7 +175,7 @@ where
     /// below the last one shares its upper corners with it.
     ///
     /// # Errors
-    /// [`RowError::Index`], [`RowError::Length`] if `pixels` is not as long as the picture is wide;
+    /// [`RowError::Index`], [`RowError::Range`], [`RowError::Length`] if `pixels` is not as long as the picture is wide;
     /// nothing is written then.
     pub fn render(&mut self, y: u16, pixels: &mut [P]) -> Result<(), RowError> {
         let Smoothing { size, samples, .. } = self.smoothing;

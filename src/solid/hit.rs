@@ -63,7 +63,11 @@ pub(super) fn seen_at<S: Scalar>(
         let [point, outward] = at(line.at(t));
         [point, if inside { -outward } else { outward }]
     };
-    let is_some = |normal: Vec3<S>| normal.max_abs() > S::ZERO;
+    // Or about zero: near an oblique axis, what is left of the way from there is rounding errors.
+    let is_some = |normal: Vec3<S>| {
+        let length = S::length(normal.to_array());
+        length.plus(length) > S::ONE
+    };
     let first @ [_, normal] = seen(t);
     // By more than an eighth: the sign alone would also tell of a tangent whose normal was rounded.
     let along = (0..3).fold(normal.dot(line.direction), |along, _| along.plus(along));

@@ -10,10 +10,12 @@ use crate::geom::Ray;
 use crate::scalar::{Number, Real, Scalar};
 use crate::span::{Crossing, Span, SpanList};
 
-/// Whether a span begins or ends nearer to the ray's start than to where its parameter is counted from.
+/// Whether the ray must be asked a second time: a span begins or ends nearer to its start than to where its
+/// parameter is counted from, or it looks away from there, so that all before it is nearer to its start.
 #[inline]
 pub(super) fn is_near_start<S: Scalar>(ray: &Ray<S>, spans: &[Span<S>]) -> bool {
-    ray.is_moved() && crossings(spans).any(|crossing| ray.is_near_start(crossing.t))
+    let looks_away = ray.start() > S::ZERO;
+    ray.is_moved() && (looks_away || crossings(spans).any(|crossing| ray.is_near_start(crossing.t)))
 }
 
 /// The spans of such a ray in its own parameter.
@@ -27,34 +29,18 @@ pub(super) fn trace_moved<T: Solid + ?Sized, const N: usize>(
 ) -> SpanList<T::Scalar, N> {
     let mut list = SpanList::new();
     solid.line_spans(ray.line(), &mut list);
-    let mut has_near = false;
+    let mut has_near = ray.start() > T::Scalar::ZERO;
     for Span { enter, exit } in list.as_mut_slice() {
         has_near |= ray.is_near_start(enter.t) || ray.is_near_start(exit.t);
-        (enter.t, exit.t) = (ray.parameter(enter.t), ray.parameter(exit.t));
+        (enter.t, exit.t) = (ray.since_start(enter.t), ray.since_start(exit.t));
     }
     if has_near {
         add_near(solid, ray, &mut list);
     }
+    for Span { enter, exit } in list.as_mut_slice() {
+        (enter.t, exit.t) = (ray.scaled(enter.t), ray.scaled(exit.t));
+    }
     list
-}
-
-/// Replaces what is nearer to the start by what the ray has there if it is counted from its start.
-#[cold]
-#[inline(never)]
-fn add_near<T: Solid + ?Sized, const N: usize>(
-    solid: &T,
-    ray: &Ray<T::Scalar>,
-    list: &mut SpanList<T::Scalar, N>,
-) {
-    let (own, mut near) = spans_from_start::<T, N>(solid, ray);
-    for Span { enter, exit } in near.as_mut_slice() {
-        (enter.t, exit.t) = (own.parameter(enter.t), own.parameter(exit.t));
-    }
-    let border = ray.scaled(half(ray.start().negated()));
-    let [first, last] = if border > T::Scalar::ZERO { [&near, &*list] } else { [&*list, &near] };
-    if let Some(both) = spliced(first, last, border) {
-        *list = both;
-    }
 }
 
 /// What such a ray sees, and the ray as it is counted there; `moved` are its spans.
@@ -65,29 +51,41 @@ pub(super) fn seen_near<S: Scalar, T: Solid<Scalar = S> + ?Sized, const N: usize
     ray: &Ray<S>,
     moved: &SpanList<S, N>,
 ) -> Option<(Ray<S>, Seen<S>)> {
-    let (own, list) = spans_from_start::<T, N>(solid, ray);
-    let (border, zero) = (half(ray.start().negated()), S::ZERO);
-    let near = first_seen(&list, zero).filter(|seen| seen.t < border || border < zero);
-    if let Some(seen) = near {
-        return Some((own, seen));
+    let mut list = moved.clone();
+    for Span { enter, exit } in list.as_mut_slice() {
+        (enter.t, exit.t) = (ray.since_start(enter.t), ray.since_start(exit.t));
     }
-    // Nothing is before the border, so all from half-way to there on is behind it, but for rounding.
-    let start = ray.start().plus(half(border));
-    (border > zero).then(|| first_seen(moved, start)).flatten().map(|seen| (*ray, seen))
+    add_near(solid, ray, &mut list);
+    let seen = first_seen(&list, S::ZERO)?;
+    // Far away, the ray's point is known better from where its parameter is counted from.
+    let is_seen = |crossing: &Crossing<S>| {
+        crossing.face == seen.face && ray.since_start(crossing.t) == seen.t
+    };
+    let far = crossings(moved).find(is_seen).filter(|crossing| !ray.is_near_start(crossing.t));
+    Some(match far {
+        Some(Crossing { t, .. }) => (*ray, Seen { t, ..seen }),
+        None => (ray.from_start(), seen),
+    })
+}
+
+/// Replaces what is nearer to the start by what the ray has there if it is counted from its start. All
+/// parameters are counted from there.
+fn add_near<T: Solid + ?Sized, const N: usize>(
+    solid: &T,
+    ray: &Ray<T::Scalar>,
+    list: &mut SpanList<T::Scalar, N>,
+) {
+    let mut near = SpanList::<T::Scalar, N>::new();
+    solid.line_spans(ray.from_start().line(), &mut near);
+    let border = half(ray.start().negated());
+    let [first, last] = if border > T::Scalar::ZERO { [&near, &*list] } else { [&*list, &near] };
+    if let Some(both) = spliced(first, last, border) {
+        *list = both;
+    }
 }
 
 fn half<S: Scalar>(length: S) -> S {
     S::from_fine(length.fine() * S::Fine::HALF)
-}
-
-#[inline(never)]
-fn spans_from_start<T: Solid + ?Sized, const N: usize>(
-    solid: &T,
-    ray: &Ray<T::Scalar>,
-) -> (Ray<T::Scalar>, SpanList<T::Scalar, N>) {
-    let (ray, mut list) = (ray.from_start(), SpanList::new());
-    solid.line_spans(ray.line(), &mut list);
-    (ray, list)
 }
 
 fn crossings<S: Scalar>(spans: &[Span<S>]) -> impl Iterator<Item = Crossing<S>> {

@@ -3,6 +3,7 @@
 
 use crate::hard_cases::{beside_a_wide_wall, thin_from_afar};
 use crate::number::{Tested, ball, ray, rod, spans, vector};
+use proptest::prelude::*;
 use scancsg::geom::{Ray, Vec3, vec3};
 use scancsg::render::{CameraError, Orthographic, Perspective};
 use scancsg::solid::{CylinderError, CylinderWall, Hit, Solid};
@@ -23,6 +24,8 @@ for_every_float!(
     from_a_million_radii,
     aimed_at_the_origin_by_chance,
     near_the_eye_and_far_away_at_once,
+    hits_are_traced_from_afar,
+    small_solids_before_an_eye_that_looks_away,
     very_small_and_very_large_radii,
     powers_of_two_scale_t_exactly,
     enormous_and_minute_factors,
@@ -139,6 +142,50 @@ fn near_the_eye_and_far_away_at_once<S: Float>() {
         let hit = (lid | pipe).hit(&away, &mut list).unwrap();
         assert_eq!((hit.t.to_f64(), hit.inside), (0.125, true));
     }
+}
+
+/// Whatever is asked twice, and from wherever it's taken: a hit is the first crossing of the trace.
+fn hits_are_traced_from_afar<S: Float>() {
+    proptest!(ProptestConfig::with_cases(4_000), |(
+        eye in prop::array::uniform3(-1f64..1.0), far in 2f64..6.0, past in prop::array::uniform3(-1f64..1.0),
+        place in -0.6f64..1.2, size in -8.5f64..-1.0, off in prop::array::uniform3(-1f64..1.0), away: bool,
+        low in -1.5f64..1.5, behind: bool,
+    )| {
+        let far = 10f64.powf(far);
+        let eye = eye.map(|x| S::near(x * far).to_f64());
+        let length = eye.iter().map(|x| x * x).sum::<f64>().sqrt();
+        prop_assume!(length > 0.1 * far);
+        let sign = if away { 1.0 } else { -1.0 };
+        let way: [f64; 3] = std::array::from_fn(|i| sign * (eye[i] + 1e-3 * past[i]) / length);
+        // A ball on or beside the line, from behind the eye to behind the scene's origin.
+        let radius = length * 10f64.powf(size);
+        let center = std::array::from_fn(|i| eye[i] + place * length * way[i] + radius * off[i]);
+        let reach = if behind { 2.0 * length } else { 1e-3 * length };
+        let slab = S::slab(vector(way), S::near(low * length), S::near(low * length + reach)).unwrap();
+        let (ray, ball) = (ray::<S>(eye, way), ball::<S>(center, radius));
+        let mut list = SpanList::<S, 4>::new();
+        let first = |traced: Vec<(f64, f64)>| {
+            let mut crossings = traced.into_iter().flat_map(|(enter, exit)| [enter, exit]);
+            crossings.find(|&t| t >= 0.0 && t.is_finite())
+        };
+        let traced = spans(&(ball | slab), &ray);
+        let crossings = traced.iter().flat_map(|&(enter, exit)| [enter, exit]);
+        prop_assert!(crossings.is_sorted(), "{traced:?}");
+        let seen = |hit: Hit<S>| hit.t.to_f64();
+        prop_assert_eq!((ball | slab).hit(&ray, &mut list).map(seen), first(traced));
+        prop_assert_eq!((ball - slab).hit(&ray, &mut list).map(seen), first(spans(&(ball - slab), &ray)));
+        prop_assert_eq!(ball.hit(&ray, &mut list).map(seen), first(spans(&ball, &ray)));
+    });
+}
+
+/// Away from the origin, all that is before the eye is nearer to there, however small.
+fn small_solids_before_an_eye_that_looks_away<S: Float>() {
+    let far = 1.0 / (128.0 * S::UNIT);
+    let away = ray::<S>([0.0, 0.0, far], [0.0, 0.0, 1.0]);
+    let rod = S::along(0, [S::ZERO, S::near(far + 5.0)], S::near(0.001), S::near(-1.0), S::ONE);
+    let hit = rod.unwrap().hit(&away, &mut SpanList::<S, 1>::new()).unwrap();
+    assert!((hit.t.to_f64() - 4.999).abs() < 1e-5, "{hit:?}");
+    assert_eq!(spans(&rod.unwrap(), &away)[0].0, hit.t.to_f64());
 }
 
 /// Squares of such radii are 10⁻⁸ and 10⁸ times those of the coordinates beside them, and one of the two
