@@ -1,7 +1,7 @@
 //! Balls that stand anywhere: rays at them, and what is compared on them.
 
 use crate::formulas;
-use crate::methods::{GRID, Gives, Method, SHIPPED, SurfacePoint};
+use crate::methods::{Gives, Method, SHIPPED, SurfacePoint};
 use crate::methods::{narrowed, numbers_f32, of_grid};
 use crate::query::{Query, V, along};
 use crate::random::Random;
@@ -55,14 +55,10 @@ fn near(random: &mut Random, r: f64, _: f64) -> [V; 2] {
 pub fn methods() -> Vec<Method> {
     vec![
         Method::new(["textbook", "f32"], numbers_f32, textbook),
-        Method { point: Some(point_f32), ..Method::new(SHIPPED[0], ready_f32, trace_f32) },
+        Method::new(SHIPPED[0], ready_f32, trace_f32).with_point(point_f32),
         Method::new(["scancsg", "f64"], ready_f64, trace_f64),
         Method { gives: Gives::First, ..Method::new(["parry3d", "f32"], parry_input, parry) },
-        Method {
-            point: Some(point_i16f16),
-            inputs: &GRID,
-            ..Method::new(SHIPPED[1], ready_i16f16, trace_i16f16)
-        },
+        Method::new(SHIPPED[1], ready_i16f16, trace_i16f16).on_grid().with_point(point_i16f16),
     ]
 }
 

@@ -51,7 +51,7 @@ pub fn ulp_at(t: f64) -> f64 {
 }
 
 /// Queries on the grid of multiples of 2⁻¹⁶, whose units are the same everywhere.
-pub static GRID: Inputs = Inputs {
+static GRID: Inputs = Inputs {
     name: "I16F16",
     unit: "LSB",
     unit_at: |_| UNIT,
@@ -116,6 +116,16 @@ impl Method {
         format!("{} {}", self.name, self.number)
     }
 
+    /// Asked about queries on the grid of fixed point.
+    pub fn on_grid(self) -> Self {
+        Self { inputs: &GRID, ..self }
+    }
+
+    /// Also says where the point is that is seen.
+    pub fn with_point(self, point: fn(&Query) -> Option<SurfacePoint>) -> Self {
+        Self { point: Some(point), ..self }
+    }
+
     /// `prepare` is what a caller has ready before the clock starts; `solve` is measured.
     pub fn new<P: 'static, T: Copy + Into<f64> + 'static>(
         [name, number]: [&'static str; 2],
@@ -155,7 +165,7 @@ pub fn methods() -> Vec<Method> {
     vec![
         Method::new(["textbook", "f32"], numbers_f32, formulas::f32::textbook),
         Method::new(["plain stable", "f32"], numbers_f32, formulas::f32::stable),
-        Method { point: Some(point_f32), ..Method::new(SHIPPED[0], ready_f32, trace_f32) },
+        Method::new(SHIPPED[0], ready_f32, trace_f32).with_point(point_f32),
         Method::new(["scancsg prepared", "f32"], prepared_f32, |(ray, cylinder)| {
             spans_f32(ray, cylinder)
         }),
@@ -164,11 +174,7 @@ pub fn methods() -> Vec<Method> {
         Method::new(["scancsg", "f64"], ready_f64, trace_f64),
         Method { gives: Gives::First, ..Method::new(["parry3d", "f32"], parry_input, parry) },
         // Nothing that takes time is prepared in fixed point.
-        Method {
-            point: Some(point_i16f16),
-            inputs: &GRID,
-            ..Method::new(SHIPPED[1], ready_i16f16, trace_i16f16)
-        },
+        Method::new(SHIPPED[1], ready_i16f16, trace_i16f16).on_grid().with_point(point_i16f16),
     ]
 }
 

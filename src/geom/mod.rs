@@ -7,7 +7,7 @@ mod ray;
 mod vec3;
 
 pub(crate) use direction::{Axis, Direction};
-pub(crate) use pixels::shortening;
+pub(crate) use pixels::shortened;
 pub use pixels::{
     Affine, Column, Extent, Parallel, ParallelRays, Pencil, PencilRays, RayRow, Rays,
 };

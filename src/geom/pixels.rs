@@ -268,13 +268,24 @@ impl<S: Scalar> Pencil<S> {
         if is_whole || t <= S::LOWEST || t >= S::HIGHEST {
             return t;
         }
-        S::from_fine((0..halvings).fold(t.fine(), |t, _| t * S::Fine::HALF))
+        S::from_fine(t.fine() * shortening(halvings))
     }
 }
 
 /// The factor of directions that are halved so often.
-pub(crate) fn shortening<T: Real>(halvings: u8) -> T {
+fn shortening<T: Real>(halvings: u8) -> T {
     (0..halvings).fold(T::ONE, |factor, _| factor * T::HALF)
+}
+
+/// Coordinates that are halved as often as directions are.
+pub(crate) fn shortened<T: Real, const N: usize>(
+    parts: [Affine<T>; N],
+    halvings: u8,
+) -> [Affine<T>; N] {
+    match halvings {
+        0 => parts,
+        _ => parts.map(|part| part.times(shortening(halvings))),
+    }
 }
 
 /// A row of a pencil of rays.

@@ -29,11 +29,8 @@ pub(super) fn trace_moved<T: Solid + ?Sized, const N: usize>(
 ) -> SpanList<T::Scalar, N> {
     let mut list = SpanList::new();
     solid.line_spans(ray.line(), &mut list);
-    let mut has_near = ray.start() > T::Scalar::ZERO;
-    for Span { enter, exit } in list.as_mut_slice() {
-        has_near |= ray.is_near_start(enter.t) || ray.is_near_start(exit.t);
-        (enter.t, exit.t) = (ray.since_start(enter.t), ray.since_start(exit.t));
-    }
+    let has_near = is_near_start(ray, &list);
+    count_from_start(ray, &mut list);
     if has_near {
         add_near(solid, ray, &mut list);
     }
@@ -52,9 +49,7 @@ pub(super) fn seen_near<S: Scalar, T: Solid<Scalar = S> + ?Sized, const N: usize
     moved: &SpanList<S, N>,
 ) -> Option<(Ray<S>, Seen<S>)> {
     let mut list = moved.clone();
-    for Span { enter, exit } in list.as_mut_slice() {
-        (enter.t, exit.t) = (ray.since_start(enter.t), ray.since_start(exit.t));
-    }
+    count_from_start(ray, &mut list);
     add_near(solid, ray, &mut list);
     let seen = first_seen(&list, S::ZERO)?;
     // Far away, the ray's point is known better from where its parameter is counted from.
@@ -66,6 +61,14 @@ pub(super) fn seen_near<S: Scalar, T: Solid<Scalar = S> + ?Sized, const N: usize
         Some(Crossing { t, .. }) => (*ray, Seen { t, ..seen }),
         None => (ray.from_start(), seen),
     })
+}
+
+/// Turns the line's parameters into those that are counted from the start.
+#[inline]
+fn count_from_start<S: Scalar, const N: usize>(ray: &Ray<S>, list: &mut SpanList<S, N>) {
+    for Span { enter, exit } in list.as_mut_slice() {
+        (enter.t, exit.t) = (ray.since_start(enter.t), ray.since_start(exit.t));
+    }
 }
 
 /// Replaces what is nearer to the start by what the ray has there if it is counted from its start. All

@@ -5,7 +5,7 @@ use super::leaf::{Leaf, leaf};
 use super::silhouette::PencilBall;
 use super::strip::Steps;
 use super::{Shape, Solid};
-use crate::geom::{Affine, Extent, Line, Parallel, Pencil, Vec3, shortening};
+use crate::geom::{Affine, Extent, Line, Parallel, Pencil, Vec3, shortened};
 use crate::scalar::{Check, Chord, FixedI32, Fraction, Real, Scalar};
 use crate::span::{Crossing, Face, Span, SpanStack};
 
@@ -168,14 +168,10 @@ impl<S: Scalar> Leaf<Pencil<S>> for Sphere<S> {
     fn in_row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
         *row = None;
         let Some(view) = view else { return Extent::EMPTY };
-        let short = |parts: [Affine<S::Fine>; 3]| match view.halvings {
-            0 => parts,
-            halvings => parts.map(|part| part.times(shortening(halvings))),
-        };
         *row = Some(PencilRow {
-            moment: short(view.ball.moment(y)),
+            moment: shortened(view.ball.moment(y), view.halvings),
             from_center: view.ball.position(y),
-            direction: short(view.ball.direction(y)),
+            direction: shortened(view.ball.direction(y), view.halvings),
         });
         view.ball.extent(y, columns)
     }

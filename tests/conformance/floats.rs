@@ -105,8 +105,8 @@ fn aimed_at_the_origin_by_chance<S: Float>() {
 /// Counted from the scene's origin, what is near the eye has few digits, and counted from the eye, a thin
 /// wall far away has no thickness: neither may cost the other.
 fn near_the_eye_and_far_away_at_once<S: Float>() {
-    let (thin, far) = (0.99, 1.0 / (8.0 * S::UNIT));
-    let pipe = rod::<S>(1.0, -2.0, 2.0) - rod::<S>(1.0 - 0.01 * thin, -2.0, 2.0);
+    let far = 1.0 / (8.0 * S::UNIT);
+    let pipe = rod::<S>(1.0, -2.0, 2.0) - rod::<S>(0.99, -2.0, 2.0);
     let down = ray::<S>([0.0, 0.0, far], [0.0, 0.0, -1.0]);
     let away = ray::<S>([0.0, 0.0, -far], [0.0, 0.0, -1.0]);
     let walls = spans(&pipe, &down);
@@ -116,12 +116,8 @@ fn near_the_eye_and_far_away_at_once<S: Float>() {
     for (gap, is_seen) in [(-9.0, false), (-0.125, false), (0.0, true), (0.125, true), (9.0, true)]
     {
         // Behind the eye, or before it; its near side at this distance.
-        let lid = S::slab_along(2, S::near(far - gap - 1.0), S::near(far - gap)).unwrap();
-        let lid = if is_seen {
-            lid
-        } else {
-            S::slab_along(2, S::near(far - gap), S::near(far - gap + 1.0)).unwrap()
-        };
+        let low = if is_seen { far - gap - 1.0 } else { far - gap };
+        let lid = S::slab_along(2, S::near(low), S::near(low + 1.0)).unwrap();
         let both = lid | pipe;
         let got = spans(&both, &down);
         assert_eq!(got.len(), 3, "{gap}");
@@ -137,11 +133,11 @@ fn near_the_eye_and_far_away_at_once<S: Float>() {
                 "{gap}"
             );
         }
-        // The other way round: all is behind the eye, the lid with a face a little before it.
-        let lid = S::slab_along(2, S::near(-far - 0.125), S::ONE).unwrap();
-        let hit = (lid | pipe).hit(&away, &mut list).unwrap();
-        assert_eq!((hit.t.to_f64(), hit.inside), (0.125, true));
     }
+    // The other way round: all is behind the eye, the lid with a face a little before it.
+    let lid = S::slab_along(2, S::near(-far - 0.125), S::ONE).unwrap();
+    let hit = (lid | pipe).hit(&away, &mut list).unwrap();
+    assert_eq!((hit.t.to_f64(), hit.inside), (0.125, true));
 }
 
 /// Whatever is asked twice, and from wherever it's taken: a hit is the first crossing of the trace.

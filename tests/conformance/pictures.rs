@@ -614,7 +614,11 @@ fn check_levels_seen<S, C, H>(
                 let depth = model.seen(&view.ray(pixel, size, [0.0; 2]), view.start());
                 let by = silhouette::<S>(view, depth.map_or(0.0, |seen| seen.t));
                 let rays = |part| rays_near::<S>(view, pixel, size, by * part);
-                let [low, high] = range(levels_around(rays, of).into_iter());
+                let mut around: Vec<f64> = rays(1.0).iter().map(&of).chain([want]).collect();
+                if S::UNIT > COARSE {
+                    around.extend(levels_around(rays, of));
+                }
+                let [low, high] = range(around.into_iter());
                 assert!(low - 1.0 <= got && got <= high + 1.0, "{pixel:?}: {got} is not {want}");
             }
         }

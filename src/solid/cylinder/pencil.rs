@@ -9,7 +9,7 @@
 //! its point and direction, also where it is nearly parallel to the axis and m is small.
 
 use super::{Cylinder, frame, set_common, wall_span};
-use crate::geom::{Affine, Extent, Pencil, Vec3, shortening};
+use crate::geom::{Affine, Extent, Pencil, Vec3, shortened};
 use crate::scalar::{Chord, Number, Real, Scalar};
 use crate::solid::intersect::Passage;
 use crate::solid::leaf::Leaf;
@@ -76,11 +76,7 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
         let wide = [m0.times(radius), m1.times(radius), constant(view.blur)];
         let silhouette = extent(&wide, &[reach], columns);
         let caps = slab::PencilRow::new(&view.caps, y);
-        let halvings = view.halvings;
-        let turn = match halvings {
-            0 => [m0, m1],
-            _ => [m0, m1].map(|part| part.times(shortening(halvings))),
-        };
+        let turn = shortened([m0, m1], view.halvings);
         *row = Some(PencilRow { moment: [q0, q1], turn, caps });
         silhouette.overlap(view.ball.extent(y, columns))
     }
