@@ -8,10 +8,10 @@ mod scene;
 
 use divan::{Bencher, black_box, counter::ItemsCount};
 use scancsg::constant;
-use scancsg::geom::{Line, Parallel, Pencil, Ray, Vec3};
+use scancsg::geom::{Line, OrthographicRays, PerspectiveRays, Ray, Vec3};
 use scancsg::render::{Camera, Gray8, Lambert, Picture, PixelFormat, Size};
 use scancsg::scalar::I16F16;
-use scancsg::solid::{Blank, Project, Shape, Solid};
+use scancsg::solid::{Empty, Scan, Shape, Solid};
 use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
 use scancsg::spline::{Baked, Curve, Knots, Outside};
 use scancsg::stream::{Decoder, encode_row, packet_capacity};
@@ -86,12 +86,12 @@ fn merge_spans<const N: usize>(bencher: Bencher<'_, '_>) {
 #[divan::bench(types = [f32, I16F16])]
 fn tee_view<S: Scene>(bencher: Bencher<'_, '_>)
 where
-    Tee<S>: Project<Parallel<S>>,
+    Tee<S>: Scan<OrthographicRays<S>>,
 {
     let rays = S::orthographic().unwrap().rays(Size::new(SIZE.0, SIZE.1).unwrap());
     let tee = S::TEE;
     bencher.bench_local(|| {
-        let mut view = <Tee<S> as Project<Parallel<S>>>::View::BLANK;
+        let mut view = <Tee<S> as Scan<OrthographicRays<S>>>::View::EMPTY;
         tee.view(black_box(&rays), &mut view);
         black_box(view);
     });
@@ -105,7 +105,7 @@ fn light<S: Scene>() -> Lambert<S> {
 #[divan::bench(types = [f32, I16F16])]
 fn tee_row<S: Scene>(bencher: Bencher<'_, '_>)
 where
-    Tee<S>: Project<Parallel<S>, Scalar = S>,
+    Tee<S>: Scan<OrthographicRays<S>, Scalar = S>,
 {
     let camera = S::orthographic().unwrap();
     let size = Size::new(SIZE.0, SIZE.1).unwrap();
@@ -121,7 +121,7 @@ where
 #[divan::bench(types = [f32, I16F16], args = ["orthographic", "perspective"])]
 fn tee_frame<S: Scene>(bencher: Bencher<'_, '_>, camera: &str)
 where
-    Tee<S>: Project<Parallel<S>, Scalar = S> + Project<Pencil<S>, Scalar = S>,
+    Tee<S>: Scan<OrthographicRays<S>, Scalar = S> + Scan<PerspectiveRays<S>, Scalar = S>,
 {
     let size = Size::new(SIZE.0, SIZE.1).unwrap();
     let tee = S::TEE;

@@ -91,7 +91,7 @@ fn smooth_edges_survive_noise() {
 
     let camera = scene::f32::orthographic().unwrap();
     let light = Lambert::new(scene::f32::TO_LIGHT, 0.15).unwrap();
-    let mut columns = [SmoothColumn::BLANK; 81];
+    let mut columns = [SmoothColumn::EMPTY; 81];
     let smoothing = Smoothing::new(Size::new(80, 60).unwrap(), 3, &mut columns).unwrap();
     let mut picture = SmoothPicture::new(&scene::f32::TEE, &camera, smoothing, light, Gray8(0));
     let mut levels = Vec::new();

@@ -53,7 +53,7 @@ macro_rules! fixed {
 fixed!(I8F24 24, I16F16 16, I24F8 8);
 
 /// Coordinates and radii.
-const REACH: i64 = 1 << 28;
+const MAX_COORDINATE: i64 = 1 << 28;
 /// The largest coordinate of a direction; the smallest one is a half, 2^(F − 1).
 const LONGEST: i64 = 1 << 30;
 const LOWEST: i64 = i32::MIN as i64;
@@ -634,7 +634,7 @@ fn along_the_surface<S: Fixed>(limit: i64) -> BoxedStrategy<Case> {
                 way[axis] = slope;
             }
             let origin: V = std::array::from_fn(|i| target[i] + near[i] - steps * way[i]);
-            let is_near = origin.iter().all(|x| x.abs() <= REACH);
+            let is_near = origin.iter().all(|x| x.abs() <= MAX_COORDINATE);
             let direction = stretched::<S>(way, more)?;
             is_near.then_some(Case { primitive, origin, direction })
         })
@@ -676,7 +676,7 @@ macro_rules! exact {
 
             #[test]
             fn anywhere() {
-                test::<$S>(super::anywhere::<$S>(REACH));
+                test::<$S>(super::anywhere::<$S>(MAX_COORDINATE));
             }
 
             #[test]
@@ -686,7 +686,7 @@ macro_rules! exact {
 
             #[test]
             fn at_landmarks() {
-                test::<$S>(aimed::<$S>(REACH));
+                test::<$S>(aimed::<$S>(MAX_COORDINATE));
             }
 
             #[test]
@@ -696,7 +696,7 @@ macro_rules! exact {
 
             #[test]
             fn along_the_surface() {
-                test::<$S>(super::along_the_surface::<$S>(REACH));
+                test::<$S>(super::along_the_surface::<$S>(MAX_COORDINATE));
             }
 
             #[test]
@@ -739,7 +739,7 @@ fn cut_before_it_is_given_a_length() {
 #[test]
 fn tangents_touch_the_wall() {
     let touched = Cell::new(0);
-    let cases = along_the_surface::<I16F16>(REACH).prop_filter("no tangent", is_tangent);
+    let cases = along_the_surface::<I16F16>(MAX_COORDINATE).prop_filter("no tangent", is_tangent);
     proptest!(ProptestConfig::with_cases(300), |(case in cases)| {
         let P::Cylinder { axis, low, high, .. } = case.primitive else { unreachable!() };
         let Any::Cylinder(cylinder) = Any::<I16F16>::of(&case.primitive) else { unreachable!() };
@@ -773,9 +773,9 @@ fn the_cases_are_worth_it() {
     use proptest::strategy::ValueTree;
     let strategies = [
         tiny::<I16F16>(),
-        anywhere::<I16F16>(REACH),
-        aimed::<I16F16>(REACH),
-        along_the_surface::<I16F16>(REACH),
+        anywhere::<I16F16>(MAX_COORDINATE),
+        aimed::<I16F16>(MAX_COORDINATE),
+        along_the_surface::<I16F16>(MAX_COORDINATE),
         aimed::<I16F16>(1 << 10),
         along_the_surface::<I16F16>(1 << 10),
     ];

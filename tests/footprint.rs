@@ -11,13 +11,13 @@ use core::mem::size_of_val;
 use scancsg::geom::Rays;
 use scancsg::render::{Camera, Gray8, Lambert, Picture, PixelFormat, Size};
 use scancsg::scalar::I16F16;
-use scancsg::solid::Project;
+use scancsg::solid::Scan;
 use scancsg::stream::packet_capacity;
 
 fn size<S: Scene, C>(camera: &C) -> usize
 where
     C: Camera<Rays: Rays<Scalar = S>>,
-    Tee<S>: Project<C::Rays, Scalar = S>,
+    Tee<S>: Scan<C::Rays, Scalar = S>,
 {
     let light = Lambert::new(S::TO_LIGHT, S::hundredths(15)).unwrap();
     let size = Size::new(160, 120).unwrap();

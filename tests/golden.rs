@@ -19,7 +19,7 @@ use scancsg::render::{
     XRay,
 };
 use scancsg::scalar::{I16F16, Number, Real, Scalar};
-use scancsg::solid::{Project, Solid};
+use scancsg::solid::{Scan, Solid};
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -27,7 +27,7 @@ use std::path::Path;
 fn rows<S, T, C, H>(part: &T, camera: &C, shader: H, width: u16, height: u16) -> Vec<Vec<u8>>
 where
     S: Scene,
-    T: Solid<Scalar = S> + Project<C::Rays>,
+    T: Solid<Scalar = S> + Scan<C::Rays>,
     C: Camera<Rays: Rays<Scalar = S>>,
     H: Shader<S>,
 {
@@ -43,7 +43,7 @@ where
 
 /// `tee` with edges of 4 × 4 samples a pixel.
 fn smooth<S: Scene>(width: u16, height: u16) -> Vec<Vec<u8>> {
-    let mut columns = vec![SmoothColumn::BLANK; usize::from(width) + 1];
+    let mut columns = vec![SmoothColumn::EMPTY; usize::from(width) + 1];
     let smoothing = Smoothing::new(Size::new(width, height).unwrap(), 4, &mut columns).unwrap();
     let camera = S::orthographic().unwrap();
     let tee = S::TEE;
@@ -96,11 +96,11 @@ fn golden(name: &str, got: &str) {
 
 /// An ambient light of 1/8, which every number type has exactly.
 fn lambert<S: Scene>() -> Lambert<S> {
-    let eighth = Fine::<S>::ONE / Fine::<S>::from_int(8);
-    Lambert::new(S::TO_LIGHT, S::from_fine(eighth)).unwrap()
+    let eighth = Wide::<S>::ONE / Wide::<S>::from_int(8);
+    Lambert::new(S::TO_LIGHT, S::from_wide(eighth)).unwrap()
 }
 
-type Fine<S> = <S as Scalar>::Fine;
+type Wide<S> = <S as Scalar>::Wide;
 
 fn orthographic<S: Scene>(width: u16, height: u16) -> Vec<Vec<u8>> {
     rows(&S::TEE, &S::orthographic().unwrap(), lambert::<S>(), width, height)
@@ -112,7 +112,7 @@ fn perspective<S: Scene>(width: u16, height: u16) -> Vec<Vec<u8>> {
 
 /// Along its curve to 1/128 of a unit.
 fn pipe<S: PipeScene>(width: u16, height: u16) -> Vec<Vec<u8>> {
-    let tolerance = S::from_fine(Fine::<S>::ONE / Fine::<S>::from_int(128));
+    let tolerance = S::from_wide(Wide::<S>::ONE / Wide::<S>::from_int(128));
     let pipe = S::pipe(tolerance).unwrap();
     rows(&pipe, &S::perspective().unwrap(), lambert::<S>(), width, height)
 }

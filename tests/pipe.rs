@@ -13,7 +13,7 @@ use scancsg::constant;
 use scancsg::geom::{RayRow, Rays, Vec3, vec3};
 use scancsg::render::{Camera, Gray8, Orthographic, Perspective, Picture, Size, XRay};
 use scancsg::scalar::I16F16;
-use scancsg::solid::{Painted, Pipe, PipeError, Project, Rgb, Shape, Solid};
+use scancsg::solid::{Painted, Pipe, PipeError, Rgb, Scan, Shape, Solid};
 use scancsg::span::{Face, SpanList};
 use scancsg::spline::{Blend, Curve, Knots, Outside};
 
@@ -336,7 +336,7 @@ fn picture<S, T, C>(solid: &T, camera: &C) -> Vec<Option<f64>>
 where
     S: Piped,
     C: Camera<Rays: Rays<Scalar = S>>,
-    T: Solid<Scalar = S> + Project<C::Rays>,
+    T: Solid<Scalar = S> + Scan<C::Rays>,
 {
     let size = Size::new(64, 48).unwrap();
     let mut picture = Picture::new(solid, camera, size, XRay::new(S::ONE).unwrap(), Gray8(0));
@@ -432,7 +432,7 @@ fn what_is_no_pipe_is_an_error<S: Piped>() {
         assert_eq!(make(wrong, tolerance), Some(PipeError::Radius));
         assert_eq!(make(radius, wrong), Some(PipeError::Tolerance));
     }
-    assert_eq!(make(S::REACH, tolerance), Some(PipeError::TooFar));
+    assert_eq!(make(S::MAX_COORDINATE, tolerance), Some(PipeError::TooFar));
     for &wrong in S::NO_NUMBERS {
         assert_eq!(make(wrong, tolerance), Some(PipeError::NotFinite));
         assert_eq!(make(radius, wrong), Some(PipeError::Tolerance));
@@ -443,9 +443,9 @@ fn what_is_no_pipe_is_an_error<S: Piped>() {
     for points in [&[][..], &[here], &[here, here, here]] {
         assert_eq!(S::through::<4>(points, radius).err(), Some(PipeError::Empty));
     }
-    let far = vec3(S::REACH, S::ZERO, S::ZERO);
+    let far = vec3(S::MAX_COORDINATE, S::ZERO, S::ZERO);
     assert_eq!(S::through::<4>(&[Vec3::ZERO, far], radius).err(), Some(PipeError::TooFar));
-    let beyond = vec3(S::REACH.up(), S::ZERO, S::ZERO);
+    let beyond = vec3(S::MAX_COORDINATE.up(), S::ZERO, S::ZERO);
     assert_eq!(S::through::<4>(&[Vec3::ZERO, beyond], radius).err(), Some(PipeError::TooFar));
     let twice = [here, here, vector([1.0, 2.0, 4.0]), vector([1.0, 2.0, 4.0])];
     assert_eq!(S::through::<4>(&twice, radius).map(|pipe| pipe.segments()), Ok(1));

@@ -14,10 +14,10 @@ mod timing;
 
 use clap::Parser;
 use methods::Frame;
-use scancsg::geom::{Parallel, Pencil, Rays};
+use scancsg::geom::{OrthographicRays, PerspectiveRays, Rays};
 use scancsg::render::{Camera, Gray8, Size};
 use scancsg::scalar::I16F16;
-use scancsg::solid::{Project, Shape, Solid};
+use scancsg::solid::{Scan, Shape, Solid};
 use scene::plate::{Plate, PlateScene};
 use scene::{Scene, Tee};
 use std::hint::black_box;
@@ -68,7 +68,7 @@ impl Subject {
     where
         S: Scene,
         C: Camera<Rays: Rays<Scalar = S>> + Copy + 'static,
-        T: Solid<Scalar = S> + Project<C::Rays>,
+        T: Solid<Scalar = S> + Scan<C::Rays>,
     {
         let number = std::any::type_name::<S>();
         Self {
@@ -86,7 +86,7 @@ impl Subject {
 
     fn tees<S: Scene>(size: Size) -> [Self; 2]
     where
-        Tee<S>: Project<Parallel<S>, Scalar = S> + Project<Pencil<S>, Scalar = S>,
+        Tee<S>: Scan<OrthographicRays<S>, Scalar = S> + Scan<PerspectiveRays<S>, Scalar = S>,
     {
         [
             Self::new("tee", "orthographic", || S::TEE, S::orthographic().unwrap(), size),
@@ -96,7 +96,7 @@ impl Subject {
 
     fn plate<S: PlateScene<N>, const N: usize>(size: Size) -> Self
     where
-        Plate<S, N>: Project<Parallel<S>, Scalar = S>,
+        Plate<S, N>: Scan<OrthographicRays<S>, Scalar = S>,
     {
         let holes = if N == 1 { "plate, 1 hole".into() } else { format!("plate, {N} holes") };
         Self::new(&holes, "orthographic", || S::PLATE, S::orthographic().unwrap(), size)
@@ -176,10 +176,10 @@ fn measure(subjects: Vec<Subject>, rounds: usize) -> Result<Rounds, String> {
 fn measure_plates<S>(size: Size, rounds: usize) -> Result<f64, String>
 where
     S: PlateScene<1> + PlateScene<4> + PlateScene<16> + PlateScene<64>,
-    Plate<S, 1>: Project<Parallel<S>, Scalar = S>,
-    Plate<S, 4>: Project<Parallel<S>, Scalar = S>,
-    Plate<S, 16>: Project<Parallel<S>, Scalar = S>,
-    Plate<S, 64>: Project<Parallel<S>, Scalar = S>,
+    Plate<S, 1>: Scan<OrthographicRays<S>, Scalar = S>,
+    Plate<S, 4>: Scan<OrthographicRays<S>, Scalar = S>,
+    Plate<S, 16>: Scan<OrthographicRays<S>, Scalar = S>,
+    Plate<S, 64>: Scan<OrthographicRays<S>, Scalar = S>,
 {
     let plates = vec![
         Subject::plate::<S, 1>(size),

@@ -6,7 +6,7 @@ use super::scene::Scene;
 use scancsg::geom::{Line, RayRow, Rays, Vec3};
 use scancsg::render::{Camera, Gray8, Lambert, Picture, RowError, Size};
 use scancsg::scalar::Scalar;
-use scancsg::solid::{Project, Seen, Solid, first_seen};
+use scancsg::solid::{Scan, Seen, Solid, first_seen};
 use scancsg::span::{Face, SpanList};
 
 /// Renders a frame into its argument, view included.
@@ -28,7 +28,7 @@ pub fn rows<S, T, C>(solid: impl Fn() -> T + 'static, camera: C, size: Size) -> 
 where
     S: Scene,
     C: Camera<Rays: Rays<Scalar = S>> + 'static,
-    T: Solid<Scalar = S> + Project<C::Rays>,
+    T: Solid<Scalar = S> + Scan<C::Rays>,
 {
     Box::new(move |pixels| {
         let solid = solid();
@@ -49,7 +49,7 @@ pub fn lists<S, T, C, const N: usize>(
 where
     S: Scene,
     C: Camera<Rays: Rays<Scalar = S>> + 'static,
-    T: Solid<Scalar = S> + Project<C::Rays>,
+    T: Solid<Scalar = S> + Scan<C::Rays>,
 {
     Box::new(move |pixels| {
         let solid = solid();
@@ -109,7 +109,7 @@ struct Shade<S> {
 
 impl<S: Scene> Shade<S> {
     fn new() -> Self {
-        let to_light = S::TO_LIGHT.map(Scalar::fine).normalized().unwrap().map(S::from_fine);
+        let to_light = S::TO_LIGHT.map(Scalar::wide).normalized().unwrap().map(S::from_wide);
         Self { to_light, ambient: S::hundredths(AMBIENT) }
     }
 

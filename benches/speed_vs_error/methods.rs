@@ -2,7 +2,7 @@
 
 use crate::formulas;
 use crate::query::Query;
-use crate::rays::{REACH, UNIT, on_grid, rounded};
+use crate::rays::{MAX_COORDINATE, UNIT, on_grid, rounded};
 use crate::timing::Pass;
 use parry3d::math::Vector;
 use parry3d::query::RayCast;
@@ -66,15 +66,15 @@ fn taken_on_grid(query: &Query) -> Option<Query> {
     let rounded = query.map(on_grid);
     let largest = |v: [f64; 3]| v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
     let is_taken = rounded.is_finite()
-        && largest(rounded.origin) <= REACH
+        && largest(rounded.origin) <= MAX_COORDINATE
         && (query.direction == [0.0; 3] || LENGTHS.contains(&largest(rounded.direction)))
-        && (UNIT..=REACH).contains(&rounded.radius)
-        && (UNIT..=REACH).contains(&rounded.half_length);
+        && (UNIT..=MAX_COORDINATE).contains(&rounded.radius)
+        && (UNIT..=MAX_COORDINATE).contains(&rounded.half_length);
     is_taken.then_some(rounded)
 }
 
 /// Of the largest coordinate of a direction.
-const LENGTHS: RangeInclusive<f64> = 0.5..=4.0 * REACH;
+const LENGTHS: RangeInclusive<f64> = 0.5..=4.0 * MAX_COORDINATE;
 
 /// Which parameters a method answers with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -137,7 +137,7 @@ pub const SETS: &[Set] = sets! {
 };
 
 /// The largest coordinate of `I16F16`, and its unit.
-pub const REACH: f64 = 4096.0;
+pub const MAX_COORDINATE: f64 = 4096.0;
 pub const UNIT: f64 = 1.0 / 65536.0;
 
 /// Cylinders per set.
@@ -163,10 +163,11 @@ impl Set {
                     let mut fifths = || 5.0 * UNIT * (1.0 + random.below(13_107) as f64);
                     (fifths(), fifths())
                 }
-                Size::Reach if random.chance(0.5) => (REACH, REACH),
-                Size::Reach => {
-                    (random.between(0.25, 1.0) * REACH, random.between(0.25, 1.0) * REACH)
-                }
+                Size::Reach if random.chance(0.5) => (MAX_COORDINATE, MAX_COORDINATE),
+                Size::Reach => (
+                    random.between(0.25, 1.0) * MAX_COORDINATE,
+                    random.between(0.25, 1.0) * MAX_COORDINATE,
+                ),
             };
             let [r, h] = [r, h].map(rounded);
             while queries.len() < count * (i + 1) / CYLINDERS {
@@ -318,7 +319,7 @@ fn perpendicular(random: &mut Random, r: f64, h: f64) -> [V; 2] {
 fn from_reach(random: &mut Random, r: f64, h: f64) -> [V; 2] {
     let way = random.direction();
     let largest = way.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-    let origin = way.map(|x| x / largest * REACH * random.between(0.9, 1.0));
+    let origin = way.map(|x| x / largest * MAX_COORDINATE * random.between(0.9, 1.0));
     let target = point_in(random, r, h, 1.2);
     let length = 10f64.powf(random.between(0.0, 4.0));
     [origin, unit(along(target, -1.0, origin)).map(|x| length * x)]
@@ -347,7 +348,7 @@ fn graze_large(random: &mut Random, r: f64, h: f64) -> [V; 2] {
 /// As benign, with directions so long that all of the chord lies in a unit or two of the parameter.
 fn short_chord(random: &mut Random, r: f64, h: f64) -> [V; 2] {
     let [origin, direction] = benign(random, r, h);
-    let length = random.between(0.25, 1.0) * 4.0 * REACH;
+    let length = random.between(0.25, 1.0) * 4.0 * MAX_COORDINATE;
     [origin, direction.map(|x| length * x)]
 }
 

@@ -5,7 +5,7 @@
 use embedded_io::Write;
 use scancsg::geom::Rays;
 use scancsg::render::{Picture, Pixel, RowError, Shader, Size};
-use scancsg::solid::{Project, Solid};
+use scancsg::solid::{Scan, Solid};
 use scancsg::stream::{
     CONTROL_CAPACITY, Decoder, FrameHeader, Packet, Part, Request, SendError, Sender,
 };
@@ -26,7 +26,7 @@ pub trait Rows<P> {
 impl<T, R, H, P> Rows<P> for Picture<'_, T, R, H, P>
 where
     R: Rays,
-    T: Solid<Scalar = R::Scalar> + Project<R>,
+    T: Solid<Scalar = R::Scalar> + Scan<R>,
     H: Shader<R::Scalar>,
     P: Pixel,
 {

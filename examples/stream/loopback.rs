@@ -9,13 +9,13 @@ use crate::host::terminal::Display;
 use crate::scene::LAP;
 use crate::scene::pipe::PipeScene;
 use clap::Parser;
-use scancsg::geom::{Parallel, Pencil, Pose, Rays};
+use scancsg::geom::{OrthographicRays, PerspectiveRays, Pose, Rays};
 use scancsg::render::{
     Blend, Depth, Gray8, Lambert, Picture, Rgb565, RowError, Shader, Size, SmoothColumn,
     SmoothPicture, Smoothing, XRay,
 };
 use scancsg::scalar::I16F16;
-use scancsg::solid::{Placed, Project, Solid};
+use scancsg::solid::{Placed, Scan, Solid};
 use scancsg::stream::{SendError, Sender};
 use std::f64::consts::TAU;
 use std::io::{self, Read, Write};
@@ -251,11 +251,14 @@ fn send_number<S: Choice>(
 }
 
 /// A part that both cameras can see.
-trait Part<S: Choice>: Solid<Scalar = S> + Project<Parallel<S>> + Project<Pencil<S>> {}
+trait Part<S: Choice>:
+    Solid<Scalar = S> + Scan<OrthographicRays<S>> + Scan<PerspectiveRays<S>>
+{
+}
 impl<S, T> Part<S> for T
 where
     S: Choice,
-    T: Solid<Scalar = S> + Project<Parallel<S>> + Project<Pencil<S>>,
+    T: Solid<Scalar = S> + Scan<OrthographicRays<S>> + Scan<PerspectiveRays<S>>,
 {
 }
 
@@ -340,14 +343,14 @@ fn send_frames<S, T, C, H, P>(
 where
     S: Choice,
     C: scancsg::render::Camera<Rays: Rays<Scalar = S>>,
-    T: Solid<Scalar = S> + Project<C::Rays>,
+    T: Solid<Scalar = S> + Scan<C::Rays>,
     H: Shader<S> + Copy,
     P: Blend,
 {
     let size: Size = args.size;
     let mut sender = Box::new(Sender::<_, CAPACITY>::new(line));
     let mut pixels = vec![background; usize::from(size.width())];
-    let mut columns = vec![SmoothColumn::BLANK; usize::from(size.width()) + 1];
+    let mut columns = vec![SmoothColumn::EMPTY; usize::from(size.width()) + 1];
     let mut unheard = 0;
     for frame in 0..args.frames {
         let turns = match args.path {
@@ -380,7 +383,7 @@ where
 impl<T, R, H, P> Rows<P> for SmoothPicture<'_, '_, T, R, H, P>
 where
     R: Rays,
-    T: Solid<Scalar = R::Scalar> + Project<R>,
+    T: Solid<Scalar = R::Scalar> + Scan<R>,
     H: Shader<R::Scalar>,
     P: Blend,
 {

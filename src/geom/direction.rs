@@ -1,7 +1,7 @@
 //! Unit vectors that know whether they point along a coordinate axis.
 
 use super::Vec3;
-use crate::scalar::{Check, FixedI32, Fraction, Number, Scalar};
+use crate::scalar::{ConstOps, FixedI32, Fraction, Number, Scalar};
 
 /// A vector of length 1 (up to rounding).
 ///
@@ -31,7 +31,7 @@ macro_rules! constructors {
         impl<$($generics)*> Direction<$Scalar> {
             /// The direction of a vector that has length 1.
             pub(crate) const fn new(vector: [<$Scalar as Scalar>::Unit; 3]) -> Self {
-                let along = match Check::<$Scalar>::axis(vector) {
+                let along = match ConstOps::<$Scalar>::axis(vector) {
                     Some(0) => Some(Axis::X),
                     Some(1) => Some(Axis::Y),
                     Some(2) => Some(Axis::Z),
@@ -67,8 +67,8 @@ impl<S: Scalar> Direction<S> {
     }
 
     /// The vector with more digits, for the set-up of views.
-    pub(crate) fn fine(&self) -> Vec3<S::Fine> {
-        self.vector.map(S::fine_unit)
+    pub(crate) fn wide(&self) -> Vec3<S::Wide> {
+        self.vector.map(S::wide_unit)
     }
 
     /// The coordinate axis that it lies along, in either direction.
@@ -90,8 +90,8 @@ impl<S: Scalar> Direction<S> {
     }
 
     /// As [`dot`](Self::dot), with more digits.
-    pub(crate) fn dot_fine(&self, other: Vec3<S::Fine>) -> S::Fine {
-        let fine = self.fine();
+    pub(crate) fn dot_wide(&self, other: Vec3<S::Wide>) -> S::Wide {
+        let fine = self.wide();
         match self.along {
             Some(Axis::X) => fine.x * other.x,
             Some(Axis::Y) => fine.y * other.y,

@@ -9,7 +9,8 @@ mod vec3;
 pub(crate) use direction::{Axis, Direction};
 pub(crate) use pixels::shortened;
 pub use pixels::{
-    Affine, Column, Extent, Parallel, ParallelRays, Pencil, PencilRays, RayRow, Rays,
+    Affine, Column, Extent, OrthographicRays, OrthographicRow, PerspectiveRays, PerspectiveRow,
+    RayRow, Rays,
 };
 pub use pose::{Pose, PoseError};
 pub use ray::{Line, Ray, RayError};

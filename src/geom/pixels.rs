@@ -141,48 +141,48 @@ pub trait RayRow: Copy {
 
 /// The rays of an orthographic picture: all parallel to `forward`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Parallel<S: Scalar> {
+pub struct OrthographicRays<S: Scalar> {
     /// What the middle of the picture shows.
-    pub center: Vec3<S::Fine>,
+    pub center: Vec3<S::Wide>,
     /// The direction to the right in the image plane, of length 1.
-    pub right: Vec3<S::Fine>,
+    pub right: Vec3<S::Wide>,
     /// The direction downwards in the image plane, of length 1.
-    pub down: Vec3<S::Fine>,
+    pub down: Vec3<S::Wide>,
     /// The viewing direction, of length 1.
-    pub forward: Vec3<S::Fine>,
+    pub forward: Vec3<S::Wide>,
     /// The size of half a pixel.
-    pub pitch: S::Fine,
+    pub half_pixel: S::Wide,
     /// The number of columns.
     pub columns: u32,
 }
 
-impl<S: Scalar> Parallel<S> {
+impl<S: Scalar> OrthographicRays<S> {
     /// The middle of the picture as seen from a point, and the steps of half a pixel to the right
     /// and down.
-    pub(crate) fn steps(&self, from: Vec3<S::Fine>) -> [Vec3<S::Fine>; 3] {
-        [self.center - from, self.right * self.pitch, self.down * self.pitch]
+    pub(crate) fn steps(&self, from: Vec3<S::Wide>) -> [Vec3<S::Wide>; 3] {
+        [self.center - from, self.right * self.half_pixel, self.down * self.half_pixel]
     }
 }
 
 /// A row of the image plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct PlaneRow<S: Scalar> {
-    center: Vec3<S::Fine>,
+    center: Vec3<S::Wide>,
     /// The way from the centre to the middle of the row.
-    down: Vec3<S::Fine>,
+    down: Vec3<S::Wide>,
     /// The step of half a pixel.
-    right: Vec3<S::Fine>,
+    right: Vec3<S::Wide>,
 }
 
 impl<S: Scalar> PlaneRow<S> {
-    fn new(plane: &Parallel<S>, y: i32) -> Self {
+    fn new(plane: &OrthographicRays<S>, y: i32) -> Self {
         let [center, right, down] = plane.steps(Vec3::ZERO);
-        Self { center, down: down.map(|step| S::Fine::ZERO.after_steps(step, y)), right }
+        Self { center, down: down.map(|step| S::Wide::ZERO.after_steps(step, y)), right }
     }
 
     /// The way from the centre to a pixel.
     #[inline]
-    fn offset(&self, x: i32) -> Vec3<S::Fine> {
+    fn offset(&self, x: i32) -> Vec3<S::Wide> {
         let Self { down, right, .. } = self;
         Vec3::new(
             down.x.after_steps(right.x, x),
@@ -194,37 +194,37 @@ impl<S: Scalar> PlaneRow<S> {
 
 /// A row of parallel rays.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ParallelRays<S: Scalar> {
+pub struct OrthographicRow<S: Scalar> {
     plane: PlaneRow<S>,
     direction: Vec3<S>,
 }
 
-impl<S: Scalar> RayRow for ParallelRays<S> {
+impl<S: Scalar> RayRow for OrthographicRow<S> {
     type Scalar = S;
 
     #[inline]
     fn line(&self, x: i32) -> Line<S> {
         let Self { plane, direction } = self;
-        Line { origin: (plane.center + plane.offset(x)).map(S::from_fine), direction: *direction }
+        Line { origin: (plane.center + plane.offset(x)).map(S::from_wide), direction: *direction }
     }
 }
 
-impl<S: Scalar> Rays for Parallel<S> {
+impl<S: Scalar> Rays for OrthographicRays<S> {
     type Scalar = S;
-    type Row = ParallelRays<S>;
+    type Row = OrthographicRow<S>;
 
     fn fits(&self, rows: u16) -> bool {
         // More than from the middle to a corner.
-        let half_pixels = S::Fine::from_int(self.columns as i32 + i32::from(rows));
-        self.pitch * half_pixels < S::HIGHEST.fine() * S::Fine::HALF
+        let half_pixels = S::Wide::from_int(self.columns as i32 + i32::from(rows));
+        self.half_pixel * half_pixels < S::HIGHEST.wide() * S::Wide::HALF
     }
 
     fn columns(&self) -> u32 {
         self.columns
     }
 
-    fn row(&self, y: i32) -> ParallelRays<S> {
-        ParallelRays { plane: PlaneRow::new(self, y), direction: self.forward.map(S::from_fine) }
+    fn row(&self, y: i32) -> OrthographicRow<S> {
+        OrthographicRow { plane: PlaneRow::new(self, y), direction: self.forward.map(S::from_wide) }
     }
 
     fn start(&self) -> S {
@@ -233,7 +233,7 @@ impl<S: Scalar> Rays for Parallel<S> {
 
     fn back_from(&self, pose: &Pose<S>) -> Self {
         Self {
-            center: pose.point_back_fine(self.center),
+            center: pose.point_back_wide(self.center),
             right: pose.turned_back(self.right),
             down: pose.turned_back(self.down),
             forward: pose.turned_back(self.forward),
@@ -247,19 +247,19 @@ impl<S: Scalar> Rays for Parallel<S> {
 /// The ray of a pixel has the direction `forward + (X·right + Y·down)/distance`, so t is counted
 /// along the viewing direction and the eye lies at t = −`distance`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pencil<S: Scalar> {
+pub struct PerspectiveRays<S: Scalar> {
     /// The steps of the image plane, as for parallel rays.
-    pub plane: Parallel<S>,
+    pub plane: OrthographicRays<S>,
     /// From the eye to the centre.
-    pub distance: S::Fine,
+    pub distance: S::Wide,
     /// 1/`distance`.
-    pub convergence: S::Fine,
+    pub inverse_distance: S::Wide,
     /// How often directions must be halved to have coordinates that [`Scalar::Unit`] can hold: 0 in
     /// floating point, and for all but very wide pictures.
     pub halvings: u8,
 }
 
-impl<S: Scalar> Pencil<S> {
+impl<S: Scalar> PerspectiveRays<S> {
     /// The parameter along a direction that was halved so often, as one along the direction itself.
     #[inline]
     pub(crate) fn along_whole(t: S, halvings: u8) -> S {
@@ -268,7 +268,7 @@ impl<S: Scalar> Pencil<S> {
         if is_whole || t <= S::LOWEST || t >= S::HIGHEST {
             return t;
         }
-        S::from_fine(t.fine() * shortening(halvings))
+        S::from_wide(t.wide() * shortening(halvings))
     }
 }
 
@@ -290,50 +290,50 @@ pub(crate) fn shortened<T: Real, const N: usize>(
 
 /// A row of a pencil of rays.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PencilRays<S: Scalar> {
+pub struct PerspectiveRow<S: Scalar> {
     plane: PlaneRow<S>,
-    forward: Vec3<S::Fine>,
-    convergence: S::Fine,
+    forward: Vec3<S::Wide>,
+    inverse_distance: S::Wide,
 }
 
-impl<S: Scalar> RayRow for PencilRays<S> {
+impl<S: Scalar> RayRow for PerspectiveRow<S> {
     type Scalar = S;
 
     #[inline]
     fn line(&self, x: i32) -> Line<S> {
         let offset = self.plane.offset(x);
         Line {
-            origin: (self.plane.center + offset).map(S::from_fine),
-            direction: (self.forward + offset * self.convergence).map(S::from_fine),
+            origin: (self.plane.center + offset).map(S::from_wide),
+            direction: (self.forward + offset * self.inverse_distance).map(S::from_wide),
         }
     }
 }
 
-impl<S: Scalar> Rays for Pencil<S> {
+impl<S: Scalar> Rays for PerspectiveRays<S> {
     type Scalar = S;
-    type Row = PencilRays<S>;
+    type Row = PerspectiveRow<S>;
 
     fn fits(&self, rows: u16) -> bool {
         // What half a pixel adds to a moment about a solid as far from the target as may be, which is less
         // than four times the reach, must be below 2³¹. Floating point has no such range.
-        let most = S::Fine::from_int(1 << 29) / S::REACH.fine();
-        self.plane.fits(rows) && (S::SHORTEST <= S::ZERO || self.plane.pitch < most)
+        let most = S::Wide::from_int(1 << 29) / S::MAX_COORDINATE.wide();
+        self.plane.fits(rows) && (S::SHORTEST <= S::ZERO || self.plane.half_pixel < most)
     }
 
     fn columns(&self) -> u32 {
         self.plane.columns
     }
 
-    fn row(&self, y: i32) -> PencilRays<S> {
-        PencilRays {
+    fn row(&self, y: i32) -> PerspectiveRow<S> {
+        PerspectiveRow {
             plane: PlaneRow::new(&self.plane, y),
             forward: self.plane.forward,
-            convergence: self.convergence,
+            inverse_distance: self.inverse_distance,
         }
     }
 
     fn start(&self) -> S {
-        S::from_fine(-self.distance)
+        S::from_wide(-self.distance)
     }
 
     fn back_from(&self, pose: &Pose<S>) -> Self {

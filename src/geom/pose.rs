@@ -28,7 +28,7 @@ pub struct Pose<S: Scalar> {
 pub enum PoseError {
     /// The angle or a coordinate is infinite or NaN.
     NotFinite,
-    /// A coordinate of the translation is larger than [`Scalar::REACH`].
+    /// A coordinate of the translation is larger than [`Scalar::MAX_COORDINATE`].
     TooFar,
 }
 
@@ -111,9 +111,9 @@ impl<S: Scalar> Pose<S> {
     /// # Errors
     /// [`PoseError::TooFar`].
     pub fn then(&self, next: &Self) -> Result<Self, PoseError> {
-        let axes = self.axes.map(|axis| next.turned(axis.map(S::fine_unit)).map(S::unit));
+        let axes = self.axes.map(|axis| next.turned(axis.map(S::wide_unit)).map(S::unit));
         let translation = next.point(self.translation);
-        if translation.max_abs() <= S::REACH {
+        if translation.max_abs() <= S::MAX_COORDINATE {
             Ok(Self { axes, translation })
         } else {
             Err(PoseError::TooFar)
@@ -129,11 +129,11 @@ impl<S: Scalar> Pose<S> {
     /// A direction of the own frame, in the scene's.
     #[must_use]
     pub fn direction(&self, own: Vec3<S>) -> Vec3<S> {
-        self.turned(own.fine()).map(S::from_fine)
+        self.turned(own.wide()).map(S::from_wide)
     }
 
-    fn turned(&self, own: Vec3<S::Fine>) -> Vec3<S::Fine> {
-        let [x, y, z] = self.axes.map(|axis| axis.map(S::fine_unit));
+    fn turned(&self, own: Vec3<S::Wide>) -> Vec3<S::Wide> {
+        let [x, y, z] = self.axes.map(|axis| axis.map(S::wide_unit));
         x * own.x + y * own.y + z * own.z
     }
 
@@ -146,15 +146,15 @@ impl<S: Scalar> Pose<S> {
     /// A direction of the scene, in the own frame.
     #[must_use]
     pub fn direction_back(&self, scene: Vec3<S>) -> Vec3<S> {
-        self.turned_back(scene.fine()).map(S::from_fine)
+        self.turned_back(scene.wide()).map(S::from_wide)
     }
 
-    pub(super) fn point_back_fine(&self, scene: Vec3<S::Fine>) -> Vec3<S::Fine> {
-        self.turned_back(scene - self.translation.fine())
+    pub(super) fn point_back_wide(&self, scene: Vec3<S::Wide>) -> Vec3<S::Wide> {
+        self.turned_back(scene - self.translation.wide())
     }
 
-    pub(super) fn turned_back(&self, scene: Vec3<S::Fine>) -> Vec3<S::Fine> {
-        let [x, y, z] = self.axes.map(|axis| axis.map(S::fine_unit).dot(scene));
+    pub(super) fn turned_back(&self, scene: Vec3<S::Wide>) -> Vec3<S::Wide> {
+        let [x, y, z] = self.axes.map(|axis| axis.map(S::wide_unit).dot(scene));
         Vec3::new(x, y, z)
     }
 
@@ -176,6 +176,6 @@ fn turn<S: Scalar>(angle: S) -> Result<Turn<S>, PoseError> {
     if !angle.is_finite() {
         return Err(PoseError::NotFinite);
     }
-    let (sin, cos) = angle.fine().sin_cos();
+    let (sin, cos) = angle.wide().sin_cos();
     Ok((S::unit(sin), S::unit(cos), Pose::<S>::IDENTITY.axes))
 }

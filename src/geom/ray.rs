@@ -33,7 +33,7 @@ pub enum RayError {
     NotFinite,
     /// The direction is zero.
     ZeroDirection,
-    /// The origin is farther from the scene's than [`Scalar::REACH`].
+    /// The origin is farther from the scene's than [`Scalar::MAX_COORDINATE`].
     TooFar,
     /// The largest coordinate of the direction is not between [`Scalar::SHORTEST`] and
     /// [`Scalar::LONGEST`]. In fixed point, parameters would not fit the number type; floating point
@@ -86,7 +86,7 @@ impl<S: Scalar> Ray<S> {
         let sum = |v: Vec3<S>| v.x.abs().plus(v.y.abs()).plus(v.z.abs());
         let (reach, size) = (sum(origin), sum(direction));
         let any_length = S::SHORTEST <= S::ZERO;
-        if !(reach <= S::REACH && size > S::ZERO && size.is_finite() && any_length) {
+        if !(reach <= S::MAX_COORDINATE && size > S::ZERO && size.is_finite() && any_length) {
             check(Vec3 { ..origin }, Vec3 { ..direction })?;
         }
         let Rebased { origin: nearest, direction, offset, scale } =
@@ -160,7 +160,7 @@ fn check<S: Scalar>(origin: Vec3<S>, direction: Vec3<S>) -> Result<(), RayError>
     if !origin.is_finite() || !direction.is_finite() {
         return Err(RayError::NotFinite);
     }
-    if origin.max_abs() > S::REACH {
+    if origin.max_abs() > S::MAX_COORDINATE {
         return Err(RayError::TooFar);
     }
     let largest = direction.max_abs();

@@ -1,6 +1,6 @@
 //! Vectors and points of three coordinates.
 
-use crate::scalar::{Check, FixedI32, Fraction, Number, Real, Scalar};
+use crate::scalar::{ConstOps, FixedI32, Fraction, Number, Real, Scalar};
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// A vector or a point in space, in the units of the scene.
@@ -108,8 +108,8 @@ impl<T: Real> Vec3<T> {
 
 impl<S: Scalar> Vec3<S> {
     /// The same vector with more digits.
-    pub(crate) fn fine(self) -> Vec3<S::Fine> {
-        self.map(S::fine)
+    pub(crate) fn wide(self) -> Vec3<S::Wide> {
+        self.map(S::wide)
     }
 }
 
@@ -118,15 +118,15 @@ macro_rules! checks {
     ($([$($generics:tt)*] $Scalar:ty),+) => {$(
         impl<$($generics)*> Vec3<$Scalar> {
             pub(crate) const fn has_finite_coordinates(self) -> bool {
-                Check::<$Scalar>::is_finite(self.x)
-                    && Check::<$Scalar>::is_finite(self.y)
-                    && Check::<$Scalar>::is_finite(self.z)
+                ConstOps::<$Scalar>::is_finite(self.x)
+                    && ConstOps::<$Scalar>::is_finite(self.y)
+                    && ConstOps::<$Scalar>::is_finite(self.z)
             }
 
             pub(crate) const fn is_within_reach(self) -> bool {
-                Check::<$Scalar>::is_within_reach(self.x)
-                    && Check::<$Scalar>::is_within_reach(self.y)
-                    && Check::<$Scalar>::is_within_reach(self.z)
+                ConstOps::<$Scalar>::is_within_reach(self.x)
+                    && ConstOps::<$Scalar>::is_within_reach(self.y)
+                    && ConstOps::<$Scalar>::is_within_reach(self.z)
             }
         }
     )+};

@@ -1,7 +1,7 @@
 //! Cameras: where a picture is taken from.
 
 use super::Size;
-use crate::geom::{Parallel, Pencil, Rays, Vec3};
+use crate::geom::{OrthographicRays, PerspectiveRays, Rays, Vec3};
 use crate::scalar::{Number, Real, Scalar};
 
 /// A camera that can hand out the rays of a picture.
@@ -23,7 +23,7 @@ pub enum CameraError {
     /// The viewing direction is zero: the eye lies on the target, or too near to it to have an
     /// inverse distance.
     ZeroDirection,
-    /// A coordinate of the target, or the eye's distance from it, is larger than [`Scalar::REACH`].
+    /// A coordinate of the target, or the eye's distance from it, is larger than [`Scalar::MAX_COORDINATE`].
     TooFar,
     /// The camera looks along its up vector, or that vector is zero.
     UpAlongView,
@@ -45,15 +45,15 @@ crate::error_text!(CameraError {
 /// Where a camera looks, as a right-handed frame of unit vectors: right, down, forward.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-struct Gaze<T> {
+struct ViewFrame<T> {
     target: Vec3<T>,
     right: Vec3<T>,
     down: Vec3<T>,
     forward: Vec3<T>,
 }
 
-impl<T: Real> Gaze<T> {
-    fn new<S: Scalar<Fine = T>>(
+impl<T: Real> ViewFrame<T> {
+    fn new<S: Scalar<Wide = T>>(
         target: Vec3<S>,
         along: Vec3<T>,
         up: Vec3<S>,
@@ -61,23 +61,23 @@ impl<T: Real> Gaze<T> {
         if !(target.is_finite() && along.is_finite() && up.is_finite()) {
             return Err(CameraError::NotFinite);
         }
-        if target.max_abs() > S::REACH {
+        if target.max_abs() > S::MAX_COORDINATE {
             return Err(CameraError::TooFar);
         }
         let forward = along.normalized().ok_or(CameraError::ZeroDirection)?;
         // Not of the unit vectors: their rounding would hide that the two are parallel.
-        let right = along.scaled_to_one().cross(up.fine().scaled_to_one());
+        let right = along.scaled_to_one().cross(up.wide().scaled_to_one());
         let right = right.normalized().ok_or(CameraError::UpAlongView)?;
-        Ok(Self { target: target.fine(), right, down: forward.cross(right), forward })
+        Ok(Self { target: target.wide(), right, down: forward.cross(right), forward })
     }
 
-    fn parallel<S: Scalar<Fine = T>>(&self, frame_height: T, size: Size) -> Parallel<S> {
-        Parallel {
+    fn parallel<S: Scalar<Wide = T>>(&self, frame_height: T, size: Size) -> OrthographicRays<S> {
+        OrthographicRays {
             center: self.target,
             right: self.right,
             down: self.down,
             forward: self.forward,
-            pitch: frame_height / T::from_int(2 * i32::from(size.height())),
+            half_pixel: frame_height / T::from_int(2 * i32::from(size.height())),
             columns: u32::from(size.width()),
         }
     }
@@ -85,9 +85,9 @@ impl<T: Real> Gaze<T> {
 
 /// Fixed-point numbers stop at the end of their range, which makes a frame as high as that one
 /// that can't be.
-fn checked_height<S: Scalar>(frame_height: S::Fine) -> Result<S::Fine, CameraError> {
-    let is_positive = frame_height > S::Fine::ZERO && (S::Fine::ONE / frame_height).is_finite();
-    if is_positive && frame_height.is_finite() && frame_height < S::HIGHEST.fine() {
+fn checked_height<S: Scalar>(frame_height: S::Wide) -> Result<S::Wide, CameraError> {
+    let is_positive = frame_height > S::Wide::ZERO && (S::Wide::ONE / frame_height).is_finite();
+    if is_positive && frame_height.is_finite() && frame_height < S::HIGHEST.wide() {
         Ok(frame_height)
     } else {
         Err(CameraError::FrameHeight)
@@ -95,12 +95,12 @@ fn checked_height<S: Scalar>(frame_height: S::Fine) -> Result<S::Fine, CameraErr
 }
 
 /// How often a number must be halved to fit the type of directions' coordinates.
-fn halvings<S: Scalar>(largest: S::Fine) -> u8 {
+fn halvings<S: Scalar>(largest: S::Wide) -> u8 {
     // A whole number is exact in that type, unless it's beyond the end of the range.
-    let mut largest = S::Fine::from_int(largest.floor_to_i32().saturating_add(1));
+    let mut largest = S::Wide::from_int(largest.floor_to_i32().saturating_add(1));
     let mut halvings = 0;
-    while S::fine_unit(S::unit(largest)) < largest && halvings < MOST_HALVINGS {
-        largest = largest * S::Fine::HALF;
+    while S::wide_unit(S::unit(largest)) < largest && halvings < MOST_HALVINGS {
+        largest = largest * S::Wide::HALF;
         halvings += 1;
     }
     halvings
@@ -113,8 +113,8 @@ const MOST_HALVINGS: u8 = 16;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Orthographic<S: Scalar> {
-    gaze: Gaze<S::Fine>,
-    frame_height: S::Fine,
+    frame: ViewFrame<S::Wide>,
+    frame_height: S::Wide,
 }
 
 impl<S: Scalar> Orthographic<S> {
@@ -129,7 +129,7 @@ impl<S: Scalar> Orthographic<S> {
         up: Vec3<S>,
         frame_height: S,
     ) -> Result<Self, CameraError> {
-        Self::looking(target.fine() - eye.fine(), target, up, frame_height)
+        Self::looking(target.wide() - eye.wide(), target, up, frame_height)
     }
 
     /// A camera that looks along a direction, with `target` in the middle of its picture.
@@ -142,25 +142,25 @@ impl<S: Scalar> Orthographic<S> {
         up: Vec3<S>,
         frame_height: S,
     ) -> Result<Self, CameraError> {
-        Self::looking(direction.fine(), target, up, frame_height)
+        Self::looking(direction.wide(), target, up, frame_height)
     }
 
     fn looking(
-        direction: Vec3<S::Fine>,
+        direction: Vec3<S::Wide>,
         target: Vec3<S>,
         up: Vec3<S>,
         frame_height: S,
     ) -> Result<Self, CameraError> {
-        let gaze = Gaze::new(target, direction, up)?;
-        Ok(Self { gaze, frame_height: checked_height::<S>(frame_height.fine())? })
+        let frame = ViewFrame::new(target, direction, up)?;
+        Ok(Self { frame, frame_height: checked_height::<S>(frame_height.wide())? })
     }
 }
 
 impl<S: Scalar> Camera for Orthographic<S> {
-    type Rays = Parallel<S>;
+    type Rays = OrthographicRays<S>;
 
-    fn rays(&self, size: Size) -> Parallel<S> {
-        self.gaze.parallel(self.frame_height, size)
+    fn rays(&self, size: Size) -> OrthographicRays<S> {
+        self.frame.parallel(self.frame_height, size)
     }
 }
 
@@ -168,10 +168,10 @@ impl<S: Scalar> Camera for Orthographic<S> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Perspective<S: Scalar> {
-    gaze: Gaze<S::Fine>,
-    distance: S::Fine,
+    frame: ViewFrame<S::Wide>,
+    distance: S::Wide,
     /// In the plane through the target.
-    frame_height: S::Fine,
+    frame_height: S::Wide,
 }
 
 impl<S: Scalar> Perspective<S> {
@@ -188,35 +188,35 @@ impl<S: Scalar> Perspective<S> {
         up: Vec3<S>,
         field_of_view: S,
     ) -> Result<Self, CameraError> {
-        let to_target = target.fine() - eye.fine();
-        let gaze = Gaze::new(target, to_target, up)?;
-        let field_of_view = field_of_view.fine();
-        if !(S::Fine::ZERO < field_of_view && field_of_view < S::Fine::PI) {
+        let to_target = target.wide() - eye.wide();
+        let frame = ViewFrame::new(target, to_target, up)?;
+        let field_of_view = field_of_view.wide();
+        if !(S::Wide::ZERO < field_of_view && field_of_view < S::Wide::PI) {
             return Err(CameraError::FieldOfView);
         }
-        let (sin, cos) = (field_of_view * S::Fine::HALF).sin_cos();
-        let distance = gaze.forward.dot_compensated(to_target);
-        if distance > S::REACH.fine() {
+        let (sin, cos) = (field_of_view * S::Wide::HALF).sin_cos();
+        let distance = frame.forward.dot_compensated(to_target);
+        if distance > S::MAX_COORDINATE.wide() {
             return Err(CameraError::TooFar);
         }
-        if !(S::Fine::ONE / distance).is_finite() {
+        if !(S::Wide::ONE / distance).is_finite() {
             return Err(CameraError::ZeroDirection);
         }
         let frame_height = checked_height::<S>((distance + distance) * (sin / cos))
             .map_err(|_| CameraError::FieldOfView)?;
-        Ok(Self { gaze, distance, frame_height })
+        Ok(Self { frame, distance, frame_height })
     }
 }
 
 impl<S: Scalar> Camera for Perspective<S> {
-    type Rays = Pencil<S>;
+    type Rays = PerspectiveRays<S>;
 
-    fn rays(&self, size: Size) -> Pencil<S> {
-        let plane = self.gaze.parallel(self.frame_height, size);
-        let convergence = S::Fine::ONE / self.distance;
+    fn rays(&self, size: Size) -> PerspectiveRays<S> {
+        let plane = self.frame.parallel(self.frame_height, size);
+        let inverse_distance = S::Wide::ONE / self.distance;
         let half_pixels = i32::from(size.width()) + i32::from(size.height());
-        let sideways = S::Fine::from_int(half_pixels) * (plane.pitch * convergence);
-        let halvings = halvings::<S>(S::Fine::ONE + sideways);
-        Pencil { plane, distance: self.distance, convergence, halvings }
+        let sideways = S::Wide::from_int(half_pixels) * (plane.half_pixel * inverse_distance);
+        let halvings = halvings::<S>(S::Wide::ONE + sideways);
+        PerspectiveRays { plane, distance: self.distance, inverse_distance, halvings }
     }
 }

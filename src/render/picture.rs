@@ -3,7 +3,7 @@
 use super::{Camera, Pixel, Shader, Size};
 use crate::geom::{Column, Line, RayRow, Rays, Vec3};
 use crate::scalar::{Number, Scalar};
-use crate::solid::{Blank, Look, Outlook, Project, Rgb, Seen, Solid};
+use crate::solid::{Empty, Look, Outlook, Rgb, Scan, Seen, Solid};
 use crate::span::{Crossing, Face, Span, SpanList};
 use core::ops::Range;
 
@@ -36,7 +36,7 @@ use core::ops::Range;
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub struct Picture<'a, T: Project<R>, R: Rays, H, P> {
+pub struct Picture<'a, T: Scan<R>, R: Rays, H, P> {
     solid: &'a T,
     view: T::View,
     row: T::Row,
@@ -61,7 +61,7 @@ pub enum RowError {
     Length,
     /// The picture shows more of the scene than its number type can: in fixed point, its width and height
     /// together, in the plane through the target, must be less than the number type's range (32,768 in
-    /// `I16F16`), and in perspective a pixel times [`Scalar::REACH`](crate::scalar::Scalar::REACH) less than 2³⁰.
+    /// `I16F16`), and in perspective a pixel times [`Scalar::MAX_COORDINATE`](crate::scalar::Scalar::MAX_COORDINATE) less than 2³⁰.
     Range,
 }
 
@@ -74,7 +74,7 @@ crate::error_text!(RowError {
 impl<'a, T, R, H, P> Picture<'a, T, R, H, P>
 where
     R: Rays,
-    T: Solid<Scalar = R::Scalar> + Project<R>,
+    T: Solid<Scalar = R::Scalar> + Scan<R>,
     H: Shader<R::Scalar>,
     P: Pixel,
 {
@@ -97,8 +97,8 @@ where
     pub(super) fn along(solid: &'a T, rays: R, size: Size, shader: H, background: P) -> Self {
         Self {
             solid,
-            view: T::View::BLANK,
-            row: T::Row::BLANK,
+            view: T::View::EMPTY,
+            row: T::Row::EMPTY,
             rays,
             has_view: false,
             before: rays.start().next_below(),
@@ -159,7 +159,7 @@ pub struct Run {
 }
 
 /// A row of a picture, ready to be rendered as a whole or run by run.
-pub struct Scanline<'p, 'a, T: Project<R>, R: Rays, H, P> {
+pub struct Scanline<'p, 'a, T: Scan<R>, R: Rays, H, P> {
     picture: &'p mut Picture<'a, T, R, H, P>,
     y: u16,
     rays: R::Row,
@@ -168,7 +168,7 @@ pub struct Scanline<'p, 'a, T: Project<R>, R: Rays, H, P> {
 impl<T, R, H, P> Scanline<'_, '_, T, R, H, P>
 where
     R: Rays,
-    T: Solid<Scalar = R::Scalar> + Project<R>,
+    T: Solid<Scalar = R::Scalar> + Scan<R>,
     H: Shader<R::Scalar>,
     P: Pixel,
 {
@@ -274,7 +274,7 @@ where
         self.seen_at(self.x(column))
     }
 
-    /// Prepares for the columns from this one on, as [`Project::enter`] does.
+    /// Prepares for the columns from this one on, as [`Scan::enter`] does.
     pub(super) fn enter(&mut self, column: u32) -> Outlook {
         T::enter(&mut self.picture.row, column)
     }
@@ -305,7 +305,7 @@ where
 }
 
 /// What a pixel sees: the input of a [`Shader`].
-pub struct Sample<'a, T: Project<R>, R: Rays> {
+pub struct Sample<'a, T: Scan<R>, R: Rays> {
     solid: &'a T,
     view: &'a T::View,
     row: &'a mut T::Row,
@@ -319,7 +319,7 @@ pub struct Sample<'a, T: Project<R>, R: Rays> {
 impl<T, R> Sample<'_, T, R>
 where
     R: Rays,
-    T: Solid<Scalar = R::Scalar> + Project<R>,
+    T: Solid<Scalar = R::Scalar> + Scan<R>,
 {
     /// The pixel's ray; its direction has length 1 only for orthographic cameras.
     #[must_use]

@@ -3,7 +3,7 @@
 use super::Sample;
 use crate::geom::{Rays, Vec3};
 use crate::scalar::{Number, Scalar};
-use crate::solid::{Project, Solid};
+use crate::solid::{Scan, Solid};
 
 /// Turns what a pixel sees into a level, 0 (dark) to 255.
 ///
@@ -13,7 +13,7 @@ pub trait Shader<S: Scalar> {
     /// The level of a pixel.
     fn level<T, R>(&self, sample: Sample<'_, T, R>) -> u8
     where
-        T: Solid<Scalar = S> + Project<R>,
+        T: Solid<Scalar = S> + Scan<R>,
         R: Rays<Scalar = S>;
 }
 
@@ -61,11 +61,11 @@ impl<S: Scalar> Lambert<S> {
         if !to_light.is_finite() {
             return Err(ShadeError::LightDirection);
         }
-        let to_light = to_light.fine().normalized().ok_or(ShadeError::LightDirection)?;
+        let to_light = to_light.wide().normalized().ok_or(ShadeError::LightDirection)?;
         if !(S::ZERO <= ambient && ambient <= S::ONE) {
             return Err(ShadeError::Ambient);
         }
-        let to_light = to_light.map(S::from_fine);
+        let to_light = to_light.map(S::from_wide);
         Ok(Self { to_light, ambient, diffuse: S::ONE.minus(ambient) })
     }
 }
@@ -73,7 +73,7 @@ impl<S: Scalar> Lambert<S> {
 impl<S: Scalar> Shader<S> for Lambert<S> {
     fn level<T, R>(&self, sample: Sample<'_, T, R>) -> u8
     where
-        T: Solid<Scalar = S> + Project<R>,
+        T: Solid<Scalar = S> + Scan<R>,
         R: Rays<Scalar = S>,
     {
         let cosine = sample.cosine(self.to_light);
@@ -90,7 +90,7 @@ impl<S: Scalar> Shader<S> for Lambert<S> {
 pub struct Depth<S: Scalar> {
     far: S,
     /// 1/(far − near).
-    inverse_range: S::Factor,
+    inverse_range: S::Scale,
 }
 
 impl<S: Scalar> Depth<S> {
@@ -99,9 +99,9 @@ impl<S: Scalar> Depth<S> {
     /// # Errors
     /// [`ShadeError::DepthRange`].
     pub fn new(near: S, far: S) -> Result<Self, ShadeError> {
-        let inverse_range = S::Fine::ONE / (far.fine() - near.fine());
+        let inverse_range = S::Wide::ONE / (far.wide() - near.wide());
         if near < far && far.is_finite() && near.is_finite() && inverse_range.is_finite() {
-            Ok(Self { far, inverse_range: S::factor(inverse_range) })
+            Ok(Self { far, inverse_range: S::scale(inverse_range) })
         } else {
             Err(ShadeError::DepthRange)
         }
@@ -111,7 +111,7 @@ impl<S: Scalar> Depth<S> {
 impl<S: Scalar> Shader<S> for Depth<S> {
     fn level<T, R>(&self, sample: Sample<'_, T, R>) -> u8
     where
-        T: Solid<Scalar = S> + Project<R>,
+        T: Solid<Scalar = S> + Scan<R>,
         R: Rays<Scalar = S>,
     {
         self.far.minus(sample.seen.t).scaled(self.inverse_range).to_level()
@@ -125,7 +125,7 @@ impl<S: Scalar> Shader<S> for Depth<S> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct XRay<S: Scalar> {
     /// 1/thickness.
-    inverse_thickness: S::Factor,
+    inverse_thickness: S::Scale,
 }
 
 impl<S: Scalar> XRay<S> {
@@ -134,9 +134,9 @@ impl<S: Scalar> XRay<S> {
     /// # Errors
     /// [`ShadeError::Thickness`].
     pub fn new(thickness: S) -> Result<Self, ShadeError> {
-        let inverse_thickness = S::Fine::ONE / thickness.fine();
+        let inverse_thickness = S::Wide::ONE / thickness.wide();
         if thickness > S::ZERO && thickness.is_finite() && inverse_thickness.is_finite() {
-            Ok(Self { inverse_thickness: S::factor(inverse_thickness) })
+            Ok(Self { inverse_thickness: S::scale(inverse_thickness) })
         } else {
             Err(ShadeError::Thickness)
         }
@@ -146,7 +146,7 @@ impl<S: Scalar> XRay<S> {
 impl<S: Scalar> Shader<S> for XRay<S> {
     fn level<T, R>(&self, mut sample: Sample<'_, T, R>) -> u8
     where
-        T: Solid<Scalar = S> + Project<R>,
+        T: Solid<Scalar = S> + Scan<R>,
         R: Rays<Scalar = S>,
     {
         sample.path_length().scaled(self.inverse_thickness).to_level()

@@ -3,7 +3,7 @@
 use super::picture::{Picture, RowError, Scanline};
 use super::{Blend, Camera, Pixel, Shader, Size};
 use crate::geom::Rays;
-use crate::solid::{Outlook, Project, Seen, Solid};
+use crate::solid::{Outlook, Scan, Seen, Solid};
 use crate::span::Face;
 
 /// What a smooth picture remembers of a column: of the corner at its left, and of the pixel before.
@@ -16,7 +16,7 @@ pub struct SmoothColumn<P: Blend> {
 
 impl<P: Blend> SmoothColumn<P> {
     /// Memory for a column.
-    pub const BLANK: Self = Self { sum: P::EMPTY, corner: NOTHING, is_edge: false };
+    pub const EMPTY: Self = Self { sum: P::EMPTY, corner: NOTHING, is_edge: false };
 }
 
 /// No solid has this face: their number is a `u16`, too.
@@ -121,7 +121,7 @@ impl<'m, P: Blend> Smoothing<'m, P> {
 /// let camera = Orthographic::look_at(eye, target, up, 3.0)?;
 /// let light = Lambert::new(vec3(0.0, 0.0, 1.0), 1.0)?; // all of it ambient
 ///
-/// let mut columns = [SmoothColumn::BLANK; 32 + 1];
+/// let mut columns = [SmoothColumn::EMPTY; 32 + 1];
 /// let smoothing = Smoothing::new(Size::new(32, 24)?, 4, &mut columns)?;
 /// let mut picture = SmoothPicture::new(&ball, &camera, smoothing, light, Gray8(0));
 /// let mut pixels = [Gray8(0); 32];
@@ -134,7 +134,7 @@ impl<'m, P: Blend> Smoothing<'m, P> {
 /// assert!((area - core::f32::consts::PI).abs() < 0.012); // and 3.25 without smoothing
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub struct SmoothPicture<'a, 'm, T: Project<R>, R: Rays, H, P: Blend> {
+pub struct SmoothPicture<'a, 'm, T: Scan<R>, R: Rays, H, P: Blend> {
     /// Of all points of the grid; asked for some of them.
     picture: Picture<'a, T, R, H, P>,
     smoothing: Smoothing<'m, P>,
@@ -143,7 +143,7 @@ pub struct SmoothPicture<'a, 'm, T: Project<R>, R: Rays, H, P: Blend> {
 impl<'a, 'm, T, R, H, P> SmoothPicture<'a, 'm, T, R, H, P>
 where
     R: Rays,
-    T: Solid<Scalar = R::Scalar> + Project<R>,
+    T: Solid<Scalar = R::Scalar> + Scan<R>,
     H: Shader<R::Scalar>,
     P: Blend,
 {
@@ -284,7 +284,7 @@ fn face<S>(seen: Option<Seen<S>>) -> Face {
 }
 
 /// Points of a row of the grid, from the left to the right.
-struct Walk<'p, 'a, T: Project<R>, R: Rays, H, P> {
+struct Walk<'p, 'a, T: Scan<R>, R: Rays, H, P> {
     line: Scanline<'p, 'a, T, R, H, P>,
     /// What was entered last.
     outlook: Outlook,
@@ -293,7 +293,7 @@ struct Walk<'p, 'a, T: Project<R>, R: Rays, H, P> {
 impl<'p, 'a, T, R, H, P> Walk<'p, 'a, T, R, H, P>
 where
     R: Rays,
-    T: Solid<Scalar = R::Scalar> + Project<R>,
+    T: Solid<Scalar = R::Scalar> + Scan<R>,
     H: Shader<R::Scalar>,
     P: Pixel,
 {

@@ -3,11 +3,11 @@
 //! Products of two numbers are exact in 64 bits, so a difference of squares is exact too, and
 //! whether it is positive is never a matter of rounding.
 
+use super::armv6m::{leading_zeros, product, unsigned_product};
+use super::integer::{divide, narrow, normalized, reciprocal, rounded_to_i32, shift_right, sqrt};
 use super::number::sealed::Sealed;
 use super::rebase::Rebased;
-use super::whole::{divide, narrow, normalized, reciprocal, rounded_to_i32, shift_right, sqrt};
-use super::words::{leading_zeros, product, unsigned_product};
-use super::{Chord, Factor, Fine, FixedI32, Number, Scalar};
+use super::{Chord, FixedI32, Number, Scalar, Scale, Wide};
 use ::fixed::types::extra::{LeEqU32, U28};
 
 /// A number of fraction bits from 8 to 28.
@@ -77,7 +77,7 @@ fn sum_of_products<const N: usize>(x: [i32; N], y: [i32; N]) -> i64 {
 
 /// Numbers with all the digits that 31 bits have room for in the largest, and how many are dropped.
 #[inline]
-fn short<const N: usize>(x: [Fine; N]) -> ([i32; N], i32) {
+fn short<const N: usize>(x: [Wide; N]) -> ([i32; N], i32) {
     let all = x.iter().fold(0, |all, x| all | x.to_bits().unsigned_abs());
     let drop = (34 - leading_zeros(all) as i32).max(0);
     (x.map(|x| shift_right(x.to_bits(), drop) as i32), drop)
@@ -112,42 +112,42 @@ fn root(square: u64, exponent: i32) -> i64 {
 
 impl<F: Fraction> Scalar for FixedI32<F> {
     type Unit = Unit;
-    type Fine = Fine;
-    type Factor = Factor;
+    type Wide = Wide;
+    type Scale = Scale;
 
     const LOWEST: Self = Self::MIN;
     const HIGHEST: Self = Self::MAX;
-    const REACH: Self = Self::from_bits(1 << 28);
-    const FINEST: Self = Self::from_bits(1);
+    const MAX_COORDINATE: Self = Self::from_bits(1 << 28);
+    const MIN_RADIUS: Self = Self::from_bits(1);
     const SHORTEST: Self = Self::from_bits(1 << (F::BITS - 1));
     const LONGEST: Self = Self::from_bits(1 << 30);
-    const BLUR: Self = Self::from_bits(2);
-    const NO_FACTOR: Factor = Factor::NONE;
+    const ROUNDING: Self = Self::from_bits(2);
+    const NO_SCALE: Scale = Scale::NONE;
 
     #[inline]
-    fn uncertainty(_: Fine) -> Fine {
+    fn uncertainty(_: Wide) -> Wide {
         // Each of two is rounded to a unit, and so is their sum.
-        Self::from_bits(4).fine()
+        Self::from_bits(4).wide()
     }
 
     #[inline]
-    fn fine(self) -> Fine {
-        Fine::from_bits(i64::from(self.to_bits()) << (Fine::FRACTION_BITS - F::BITS))
+    fn wide(self) -> Wide {
+        Wide::from_bits(i64::from(self.to_bits()) << (Wide::FRACTION_BITS - F::BITS))
     }
 
     #[inline]
-    fn from_fine(fine: Fine) -> Self {
-        rounded(fine.to_bits(), Fine::FRACTION_BITS - F::BITS)
+    fn from_wide(fine: Wide) -> Self {
+        rounded(fine.to_bits(), Wide::FRACTION_BITS - F::BITS)
     }
 
     #[inline]
-    fn unit(fine: Fine) -> Unit {
-        rounded(fine.to_bits(), Fine::FRACTION_BITS - UNIT_BITS)
+    fn unit(fine: Wide) -> Unit {
+        rounded(fine.to_bits(), Wide::FRACTION_BITS - UNIT_BITS)
     }
 
     #[inline]
-    fn fine_unit(unit: Unit) -> Fine {
-        unit.fine()
+    fn wide_unit(unit: Unit) -> Wide {
+        unit.wide()
     }
 
     #[inline]
@@ -162,26 +162,26 @@ impl<F: Fraction> Scalar for FixedI32<F> {
     }
 
     #[inline(never)]
-    fn factor(fine: Fine) -> Factor {
-        Factor::new(fine)
+    fn scale(fine: Wide) -> Scale {
+        Scale::new(fine)
     }
 
     #[inline(never)] // in several places of a normal
-    fn scaled(self, factor: Factor) -> Self {
+    fn scaled(self, factor: Scale) -> Self {
         Self::from_bits(narrow(factor.times(self.to_bits(), 0)))
     }
 
     #[inline]
-    fn stretched(self, factor: Factor) -> Fine {
-        let exponent = (Fine::FRACTION_BITS - F::BITS) as i32;
-        Fine::from_bits(factor.times(self.to_bits(), exponent))
+    fn stretched(self, factor: Scale) -> Wide {
+        let exponent = (Wide::FRACTION_BITS - F::BITS) as i32;
+        Wide::from_bits(factor.times(self.to_bits(), exponent))
     }
 
     #[inline(never)]
-    fn quotients(numerators: [Fine; 2], denominator: Fine) -> [Self; 2] {
-        let inverse = Factor::inverse(denominator.abs());
-        let is_negative = denominator < Fine::ZERO;
-        let exponent = F::BITS as i32 - Fine::FRACTION_BITS as i32;
+    fn quotients(numerators: [Wide; 2], denominator: Wide) -> [Self; 2] {
+        let inverse = Scale::inverse(denominator.abs());
+        let is_negative = denominator < Wide::ZERO;
+        let exponent = F::BITS as i32 - Wide::FRACTION_BITS as i32;
         numerators.map(|numerator| {
             let numerator = if is_negative { -numerator } else { numerator };
             Self::from_bits(narrow(inverse.times_wide(numerator.to_bits(), exponent)))
@@ -198,15 +198,15 @@ impl<F: Fraction> Scalar for FixedI32<F> {
     }
 
     #[inline]
-    fn moment(q: [Self; 2], m: [Unit; 2]) -> Fine {
+    fn moment(q: [Self; 2], m: [Unit; 2]) -> Wide {
         let [q, m] = [q.map(Self::to_bits), m.map(Unit::to_bits)];
         let moment = product(q[0], m[1]) - product(q[1], m[0]);
-        Fine::from_bits(shift_right(moment, (F::BITS + UNIT_BITS - Fine::FRACTION_BITS) as i32))
+        Wide::from_bits(shift_right(moment, (F::BITS + UNIT_BITS - Wide::FRACTION_BITS) as i32))
     }
 
     fn chord<const K: usize, const N: usize>(
         radius: Self,
-        k: [Fine; K],
+        k: [Wide; K],
         q: [Self; N],
         m: [Unit; N],
     ) -> Chord<Self> {
@@ -223,7 +223,7 @@ impl<F: Fraction> Scalar for FixedI32<F> {
 
         let (k, drop) = short(k);
         let (squared, to_k) = normalized(sum_of_squares(k));
-        let to_k = to_k + one_over_a + 2 * (drop + F::BITS as i32 - Fine::FRACTION_BITS as i32);
+        let to_k = to_k + one_over_a + 2 * (drop + F::BITS as i32 - Wide::FRACTION_BITS as i32);
         if squared > 0 && to_k > 0 {
             // Far more than the square of any radius.
             return Chord::Beside;

@@ -13,7 +13,7 @@ use super::{Chord, Number, Real, Scalar};
 use libm::sqrtf as sqrt_f32;
 
 /// A binary floating-point number.
-pub trait Float: Real + Scalar<Unit = Self, Fine = Self, Factor = Self> {
+pub trait Float: Real + Scalar<Unit = Self, Wide = Self, Scale = Self> {
     /// The product and its rounding error, exactly: `a·b = product + error`.
     fn two_product(a: Self, b: Self) -> (Self, Self);
 
@@ -173,17 +173,17 @@ macro_rules! float {
 
         impl Scalar for $Float {
             type Unit = Self;
-            type Fine = Self;
-            type Factor = Self;
+            type Wide = Self;
+            type Scale = Self;
 
             const LOWEST: Self = $Float::NEG_INFINITY;
             const HIGHEST: Self = $Float::INFINITY;
-            const REACH: Self = $reach;
-            const FINEST: Self = $finest;
+            const MAX_COORDINATE: Self = $reach;
+            const MIN_RADIUS: Self = $finest;
             const SHORTEST: Self = 0.0;
             const LONGEST: Self = $Float::MAX;
-            const BLUR: Self = 0.0;
-            const NO_FACTOR: Self = 0.0;
+            const ROUNDING: Self = 0.0;
+            const NO_SCALE: Self = 0.0;
 
             #[inline]
             fn uncertainty(size: Self) -> Self {
@@ -192,12 +192,12 @@ macro_rules! float {
             }
 
             #[inline]
-            fn fine(self) -> Self {
+            fn wide(self) -> Self {
                 self
             }
 
             #[inline]
-            fn from_fine(fine: Self) -> Self {
+            fn from_wide(fine: Self) -> Self {
                 fine
             }
 
@@ -207,7 +207,7 @@ macro_rules! float {
             }
 
             #[inline]
-            fn fine_unit(unit: Self) -> Self {
+            fn wide_unit(unit: Self) -> Self {
                 unit
             }
 
@@ -222,7 +222,7 @@ macro_rules! float {
             }
 
             #[inline]
-            fn factor(fine: Self) -> Self {
+            fn scale(fine: Self) -> Self {
                 fine
             }
 
@@ -254,7 +254,7 @@ macro_rules! float {
             #[inline]
             fn chord<const K: usize, const N: usize>(
                 radius: Self,
-                k: [Self::Fine; K],
+                k: [Self::Wide; K],
                 q: [Self; N],
                 m: [Self; N],
             ) -> Chord<Self> {

@@ -8,31 +8,31 @@
 //! Results have the same bits on every target. So nothing here calls a platform's maths library,
 //! contracts a product and a sum, or leaves the order of operations open.
 
-mod check;
+mod armv6m;
+mod const_ops;
 mod double;
 mod error_free;
-mod factor;
-mod fine;
 mod fixed;
 mod float;
 #[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64"))))]
 mod fused;
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
 mod hardware;
+pub(crate) mod integer;
 mod number;
 mod polynomial;
 mod rebase;
 mod root;
-pub(crate) mod whole;
-mod words;
+mod scale;
+mod wide;
 
-pub use self::factor::Factor;
-pub use self::fine::Fine;
 pub use self::number::{Number, Real};
+pub use self::scale::Scale;
+pub use self::wide::Wide;
 pub use ::fixed::FixedI32;
 pub use ::fixed::types::I16F16;
 
-pub(crate) use self::check::{Check, Stretch};
+pub(crate) use self::const_ops::{ConstOps, Stretch};
 pub(crate) use self::double::Double;
 pub(crate) use self::error_free::two_sum;
 pub(crate) use self::fixed::Fraction;
@@ -54,9 +54,9 @@ pub trait Scalar: Number {
     type Unit: Number;
     /// A number with more digits behind the point: for the set-up of views, and for what is added
     /// up from pixel to pixel.
-    type Fine: Real;
+    type Wide: Real;
     /// A positive factor of any size.
-    type Factor: Copy + Debug + PartialEq;
+    type Scale: Copy + Debug + PartialEq;
 
     /// Below every parameter of a crossing: −∞ where the type has it.
     const LOWEST: Self;
@@ -65,10 +65,10 @@ pub trait Scalar: Number {
     /// The largest coordinate and radius: 10¹⁵ for `f32`, 10⁶⁰ for `f64`, 4096 for [`I16F16`] and
     /// 2²⁸ units for all fixed point. Up to there nothing overflows. Beyond, constructors return
     /// errors.
-    const REACH: Self;
+    const MAX_COORDINATE: Self;
     /// The smallest radius: 10⁻¹² for `f32`, 10⁻⁶⁰ for `f64`, one unit in fixed point. Below,
     /// constructors return errors.
-    const FINEST: Self;
+    const MIN_RADIUS: Self;
     /// The largest coordinate of a ray's direction must be at least this: 0 in floating point,
     /// 1/2 in fixed point, so that the parameters of everything within reach can be represented.
     const SHORTEST: Self;
@@ -77,23 +77,23 @@ pub trait Scalar: Number {
 
     /// How far off a length in a pixel may be because it is rounded to this type: 0 in floating
     /// point, whose errors are relative, 2 units in fixed point.
-    const BLUR: Self;
+    const ROUNDING: Self;
 
     /// How far off a length in a pixel may be that is a sum of up to six lengths, `size` together,
     /// or of two of these, one of them times the column.
-    fn uncertainty(size: Self::Fine) -> Self::Fine;
+    fn uncertainty(size: Self::Wide) -> Self::Wide;
 
     /// The same number with more digits; exact.
-    fn fine(self) -> Self::Fine;
+    fn wide(self) -> Self::Wide;
 
     /// The nearest number, within the range of parameters.
-    fn from_fine(fine: Self::Fine) -> Self;
+    fn from_wide(fine: Self::Wide) -> Self;
 
     /// The nearest number of the size of 1.
-    fn unit(fine: Self::Fine) -> Self::Unit;
+    fn unit(fine: Self::Wide) -> Self::Unit;
 
     /// The same number with more digits; exact.
-    fn fine_unit(unit: Self::Unit) -> Self::Fine;
+    fn wide_unit(unit: Self::Unit) -> Self::Wide;
 
     /// `self · unit`, rounded once.
     #[must_use]
@@ -103,26 +103,26 @@ pub trait Scalar: Number {
     fn dot_unit(vector: [Self; 3], direction: [Self::Unit; 3]) -> Self;
 
     /// The factor 0.
-    const NO_FACTOR: Self::Factor;
+    const NO_SCALE: Self::Scale;
 
     /// A number ≥ 0 as a factor.
-    fn factor(fine: Self::Fine) -> Self::Factor;
+    fn scale(fine: Self::Wide) -> Self::Scale;
 
     /// `self · factor`.
     #[must_use]
-    fn scaled(self, factor: Self::Factor) -> Self;
+    fn scaled(self, factor: Self::Scale) -> Self;
 
     /// `self · factor`, with more digits and a larger range.
-    fn stretched(self, factor: Self::Factor) -> Self::Fine;
+    fn stretched(self, factor: Self::Scale) -> Self::Wide;
 
     /// `numerators / denominator`; not for a denominator of 0.
-    fn quotients(numerators: [Self::Fine; 2], denominator: Self::Fine) -> [Self; 2];
+    fn quotients(numerators: [Self::Wide; 2], denominator: Self::Wide) -> [Self; 2];
 
     /// A leg of a right triangle: `√(hypotenuse² − leg²)`, or `None` if that is not positive.
     fn leg(hypotenuse: Self, leg: Self) -> Option<Self>;
 
     /// `q₀m₁ − q₁m₀`, the vector product in two dimensions.
-    fn moment(q: [Self; 2], m: [Self::Unit; 2]) -> Self::Fine;
+    fn moment(q: [Self; 2], m: [Self::Unit; 2]) -> Self::Wide;
 
     /// Where the line `q + t·m` is within `radius` of the origin.
     ///
@@ -132,7 +132,7 @@ pub trait Scalar: Number {
     /// half-chord `√(r²a − |k|²)/a`.
     fn chord<const K: usize, const N: usize>(
         radius: Self,
-        k: [Self::Fine; K],
+        k: [Self::Wide; K],
         q: [Self; N],
         m: [Self::Unit; N],
     ) -> Chord<Self>;

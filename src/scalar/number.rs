@@ -74,7 +74,7 @@ pub trait Number: sealed::Sealed + Copy + Debug + PartialOrd + 'static {
 /// A number with all of arithmetic: what the cameras' rays and the set-up of views are made of.
 ///
 /// For floating-point scenes it is the scene's own type; for fixed-point scenes it is
-/// [`Fine`](super::Fine), because the step from one pixel to the next, and an angle, need more
+/// [`Wide`](super::Wide), because the step from one pixel to the next, and an angle, need more
 /// digits than a length.
 pub trait Real:
     Number

@@ -1,6 +1,6 @@
 //! Union, intersection and difference of two solids, and the operators `|`, `&` and `-`.
 
-use super::row::{Blank, Look, Outlook, Project};
+use super::row::{Empty, Look, Outlook, Scan};
 use super::{Cylinder, Painted, Placed, Rgb, Shape, Slab, Solid, Sphere};
 use crate::geom::{Column, Line, Vec3};
 use crate::scalar::{Number, Scalar};
@@ -170,7 +170,7 @@ impl<O: Rule, L: Solid, R: Solid<Scalar = L::Scalar>> Solid for Boolean<O, L, R>
     }
 }
 
-impl<P, O: Rule, L: Project<P>, R: Project<P, Scalar = L::Scalar>> Project<P> for Boolean<O, L, R> {
+impl<P, O: Rule, L: Scan<P>, R: Scan<P, Scalar = L::Scalar>> Scan<P> for Boolean<O, L, R> {
     type View = (L::View, R::View);
     type Row = BooleanRow<L::Row, R::Row>;
 
@@ -279,15 +279,15 @@ impl<O: Rule, L: Shape, R: Shape<Scalar = L::Scalar>> Boolean<O, L, R> {
     #[inline(never)]
     fn next_of_right<P>(
         &self,
-        view: &<Self as Project<P>>::View,
-        row: &mut <Self as Project<P>>::Row,
+        view: &<Self as Scan<P>>::View,
+        row: &mut <Self as Scan<P>>::Row,
         x: i32,
         mut t: L::Scalar,
         first: Face,
     ) -> Crossing<L::Scalar>
     where
-        L: Project<P>,
-        R: Project<P>,
+        L: Scan<P>,
+        R: Scan<P>,
     {
         if !row.asks_right {
             return Crossing::NEVER;
@@ -321,16 +321,16 @@ impl<O: Rule, L: Shape, R: Shape<Scalar = L::Scalar>> Boolean<O, L, R> {
     #[inline(never)]
     fn look_on<P>(
         &self,
-        view: &<Self as Project<P>>::View,
-        row: &mut <Self as Project<P>>::Row,
+        view: &<Self as Scan<P>>::View,
+        row: &mut <Self as Scan<P>>::Row,
         x: i32,
         mut t: L::Scalar,
         mut left: Look<L::Scalar>,
         first: Face,
     ) -> Look<L::Scalar>
     where
-        L: Project<P>,
-        R: Project<P>,
+        L: Scan<P>,
+        R: Scan<P>,
     {
         let (operation, endless) = (O::OPERATION, L::Scalar::HIGHEST);
         let counts = |left: &Look<L::Scalar>| left.inside || !operation.needs_left();
@@ -380,14 +380,14 @@ pub struct BooleanRow<L, R> {
     asks_right: bool,
 }
 
-impl<L: Blank, R: Blank> Blank for BooleanRow<L, R> {
-    const BLANK: Self =
-        Self { left: L::BLANK, right: R::BLANK, asks_left: false, asks_right: false };
+impl<L: Empty, R: Empty> Empty for BooleanRow<L, R> {
+    const EMPTY: Self =
+        Self { left: L::EMPTY, right: R::EMPTY, asks_left: false, asks_right: false };
 }
 
 /// The spans of a column, without asking for them where nothing can be seen.
 #[inline]
-pub(super) fn spans_inside<P, T: Project<P>>(
+pub(super) fn spans_inside<P, T: Scan<P>>(
     solid: &T,
     view: &T::View,
     row: &T::Row,

@@ -1,22 +1,22 @@
 //! Convex primitives in pictures: what each has to say, and the span of a ray that is kept of it.
 
 use super::Shape;
-use super::row::{Blank, Look, Outlook};
+use super::row::{Empty, Look, Outlook};
 use crate::geom::Extent;
 use crate::scalar::Scalar;
 use crate::span::{Crossing, Face, Span};
 
 /// A convex primitive, seen along the rays `R`: at most one span in every column.
 pub trait Leaf<R>: Shape {
-    /// As [`Project::View`](super::Project::View).
-    type View: Blank;
-    /// As [`Project::Row`](super::Project::Row).
-    type Row: Blank;
+    /// As [`Scan::View`](super::Scan::View).
+    type View: Empty;
+    /// As [`Scan::Row`](super::Scan::Row).
+    type Row: Empty;
 
     /// What the camera decides.
     fn seen_along(&self, rays: &R) -> Self::View;
 
-    /// As [`Project::is_in_rows`](super::Project::is_in_rows).
+    /// As [`Scan::is_in_rows`](super::Scan::is_in_rows).
     #[inline]
     fn is_in_rows(&self, _: &Self::View, _rows: [i32; 2]) -> bool {
         true
@@ -52,8 +52,8 @@ pub struct LeafRow<S, D> {
     span: Span<S>,
 }
 
-impl<S: Scalar, D: Blank> Blank for LeafRow<S, D> {
-    const BLANK: Self = Self { row: D::BLANK, extent: [0; 2], x: 0, span: Span::BLANK };
+impl<S: Scalar, D: Empty> Empty for LeafRow<S, D> {
+    const EMPTY: Self = Self { row: D::EMPTY, extent: [0; 2], x: 0, span: Span::EMPTY };
 }
 
 /// Farther away than any ray of a picture.
@@ -174,7 +174,7 @@ impl<S: Scalar, D> LeafRow<S, D> {
 /// Every [`Leaf`] can be seen.
 macro_rules! leaf {
     ([$($generics:tt)*] $Solid:ty) => {
-        impl<$($generics)*, R> $crate::solid::Project<R> for $Solid
+        impl<$($generics)*, R> $crate::solid::Scan<R> for $Solid
         where
             Self: $crate::solid::leaf::Leaf<R>,
         {

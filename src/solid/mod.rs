@@ -20,7 +20,7 @@
 //! ```
 //!
 //! Three traits say what a solid can do: [`Shape`] counts (spans, faces), [`Solid`] answers single
-//! lines, and [`Project`] gets ready for a picture. A primitive of your own needs none of them: see
+//! lines, and [`Scan`] gets ready for a picture. A primitive of your own needs none of them: see
 //! [`Convex`].
 
 #[macro_use]
@@ -50,7 +50,7 @@ pub use intersect::Intersect;
 pub use paint::{Painted, Rgb};
 pub use pipe::{Pipe, PipeError};
 pub use placed::Placed;
-pub use row::{Blank, Look, Outlook, Project};
+pub use row::{Empty, Look, Outlook, Scan};
 pub use slab::{Slab, SlabError};
 pub use sphere::{Sphere, SphereError};
 pub use wall::{CylinderWall, WallHit};

@@ -88,7 +88,7 @@ fn add_near<T: Solid + ?Sized, const N: usize>(
 }
 
 fn half<S: Scalar>(length: S) -> S {
-    S::from_fine(length.fine() * S::Fine::HALF)
+    S::from_wide(length.wide() * S::Wide::HALF)
 }
 
 fn crossings<S: Scalar>(spans: &[Span<S>]) -> impl Iterator<Item = Crossing<S>> {

@@ -2,7 +2,7 @@
 
 use super::{Shape, Solid};
 use crate::geom::{Line, Vec3};
-use crate::solid::row::{Project, project_as_within};
+use crate::solid::row::{Scan, project_as_within};
 use crate::span::{Face, SpanStack};
 
 /// A colour of eight bits per channel.
@@ -98,6 +98,6 @@ impl<T: Solid> Solid for Painted<T> {
     }
 }
 
-impl<R, T: Project<R>> Project<R> for Painted<T> {
+impl<R, T: Scan<R>> Scan<R> for Painted<T> {
     project_as_within!(solid: T, |_painted, rays: R| rays);
 }

@@ -1,6 +1,6 @@
 //! A solid that stands somewhere else than where it was made.
 
-use super::row::{Project, project_as_within};
+use super::row::{Scan, project_as_within};
 use super::{Rgb, Shape, Solid};
 use crate::geom::{Line, Pose, Rays, Vec3};
 use crate::span::{Face, SpanStack};
@@ -56,6 +56,6 @@ impl<T: Solid> Solid for Placed<'_, T> {
     }
 }
 
-impl<R: Rays<Scalar = T::Scalar>, T: Project<R>> Project<R> for Placed<'_, T> {
+impl<R: Rays<Scalar = T::Scalar>, T: Scan<R>> Scan<R> for Placed<'_, T> {
     project_as_within!(solid: T, |placed, rays: R| &rays.back_from(&placed.pose));
 }

@@ -10,21 +10,21 @@ use crate::scalar::Scalar;
 use crate::span::{Crossing, Face, SpanStack};
 
 /// Memory of a stage that is yet to be reached.
-pub trait Blank {
+pub trait Empty {
     /// Nothing is decided.
-    const BLANK: Self;
+    const EMPTY: Self;
 }
 
-impl<T: Blank, const N: usize> Blank for [T; N] {
-    const BLANK: Self = [T::BLANK; N];
+impl<T: Empty, const N: usize> Empty for [T; N] {
+    const EMPTY: Self = [T::EMPTY; N];
 }
 
-impl<T> Blank for Option<T> {
-    const BLANK: Self = None;
+impl<T> Empty for Option<T> {
+    const EMPTY: Self = None;
 }
 
-impl<A: Blank, B: Blank> Blank for (A, B) {
-    const BLANK: Self = (A::BLANK, B::BLANK);
+impl<A: Empty, B: Empty> Empty for (A, B) {
+    const EMPTY: Self = (A::EMPTY, B::EMPTY);
 }
 
 /// What a row shows of a solid from some column on.
@@ -52,19 +52,19 @@ impl Outlook {
     }
 }
 
-/// A solid that can be seen along the rays `R` of a camera: [`Parallel`](crate::geom::Parallel)
-/// or [`Pencil`](crate::geom::Pencil).
+/// A solid that can be seen along the rays `R` of a camera: [`OrthographicRays`](crate::geom::OrthographicRays)
+/// or [`PerspectiveRays`](crate::geom::PerspectiveRays).
 ///
 /// Columns are asked for in two ways. [`spans_at`](Self::spans_at) is the whole list of a column, as
 /// [`Solid::spans`](super::Solid::spans) is that of a line. [`holds`](Self::holds) and
 /// [`look`](Self::look) walk along the ray from crossing to crossing, and compute only what the
 /// answer depends on; the crossings are those of the list, bit by bit.
-pub trait Project<R>: Shape {
+pub trait Scan<R>: Shape {
     /// What the camera decides.
-    type View: Blank;
+    type View: Empty;
     /// What the row decides, which elements of groups matter in the present run of columns, and
     /// the spans of primitives with the last ray that was asked for.
-    type Row: Blank;
+    type Row: Empty;
 
     /// Gets ready for all rows of a picture.
     fn view(&self, rays: &R, view: &mut Self::View);
@@ -147,11 +147,11 @@ impl<S: Scalar> Look<S> {
     pub(super) const EMPTY: Self = Self { inside: false, next: Crossing::NEVER };
 }
 
-/// [`Project`] for what is another solid in its field of that name, seen along `own` rays.
+/// [`Scan`] for what is another solid in its field of that name, seen along `own` rays.
 macro_rules! project_as_within {
     ($field:ident: $Solid:ty, |$around:ident, $rays:ident: $Rays:ident| $own:expr) => {
-        type View = <$Solid as $crate::solid::Project<$Rays>>::View;
-        type Row = <$Solid as $crate::solid::Project<$Rays>>::Row;
+        type View = <$Solid as $crate::solid::Scan<$Rays>>::View;
+        type Row = <$Solid as $crate::solid::Scan<$Rays>>::Row;
 
         fn view(&self, $rays: &$Rays, view: &mut Self::View) {
             let $around = self;
@@ -167,11 +167,11 @@ macro_rules! project_as_within {
         }
 
         fn outlook(row: &Self::Row, column: u32) -> $crate::solid::row::Outlook {
-            <$Solid as $crate::solid::Project<$Rays>>::outlook(row, column)
+            <$Solid as $crate::solid::Scan<$Rays>>::outlook(row, column)
         }
 
         fn enter(row: &mut Self::Row, column: u32) -> $crate::solid::row::Outlook {
-            <$Solid as $crate::solid::Project<$Rays>>::enter(row, column)
+            <$Solid as $crate::solid::Scan<$Rays>>::enter(row, column)
         }
 
         #[inline]

@@ -2,7 +2,7 @@
 //! negative.
 
 use super::strip::{Rows, Steps};
-use crate::geom::{Affine, Extent, Pencil, Vec3};
+use crate::geom::{Affine, Extent, PerspectiveRays, Vec3};
 use crate::scalar::{Number, Real, Scalar};
 
 /// The columns of a row in which `Σ plus² ≥ Σ minus²` may hold, for lengths that are affine in X.
@@ -84,26 +84,26 @@ pub(super) fn constant<T: Real>(length: T) -> Affine<T> {
 /// d = (x, y, 1). It meets the ball around c where `r²|d|² − |c × d|² ≥ 0`, with c as seen from the
 /// eye. Both vectors are affine in the column, and the eye's distance cancels out of the second.
 #[derive(Debug, Clone, Copy)]
-pub struct PencilBall<S: Scalar> {
+pub struct PerspectiveBall<S: Scalar> {
     /// As seen from the middle of the picture, in the camera's frame.
-    center: Vec3<S::Fine>,
-    radius: S::Fine,
+    center: Vec3<S::Wide>,
+    radius: S::Wide,
     /// The size of half a pixel in the image plane.
-    pitch: S::Fine,
+    half_pixel: S::Wide,
     /// What half a pixel adds to x or y: the pitch over the eye's distance.
-    slope: S::Fine,
+    slope: S::Wide,
     rows: Rows,
 }
 
-impl<S: Scalar> PencilBall<S> {
-    pub(super) fn new(center: Vec3<S::Fine>, radius: S::Fine, rays: &Pencil<S>) -> Self {
+impl<S: Scalar> PerspectiveBall<S> {
+    pub(super) fn new(center: Vec3<S::Wide>, radius: S::Wide, rays: &PerspectiveRays<S>) -> Self {
         let plane = &rays.plane;
         let from_middle = center - plane.center;
-        let along = |direction: Vec3<S::Fine>| from_middle.dot_compensated(direction);
+        let along = |direction: Vec3<S::Wide>| from_middle.dot_compensated(direction);
         let center = Vec3::new(along(plane.right), along(plane.down), along(plane.forward));
-        let (pitch, slope) = (plane.pitch, plane.pitch * rays.convergence);
+        let (half_pixel, slope) = (plane.half_pixel, plane.half_pixel * rays.inverse_distance);
         let rows = Self::rows(center, radius, rays.distance, slope);
-        Self { center, radius, pitch, slope, rows }
+        Self { center, radius, half_pixel, slope, rows }
     }
 
     /// The rows that can meet the ball.
@@ -111,45 +111,45 @@ impl<S: Scalar> PencilBall<S> {
     /// Row s·z = y meets it where |y − s·z| ≤ r√(1 + s²), with its centre at (x, y, z) from the eye.
     /// The root is at most 1 + |s|, so s lies between (y − r)/(z ± r) and (y + r)/(z ± r), with
     /// the sign that makes that farther away.
-    fn rows(center: Vec3<S::Fine>, radius: S::Fine, distance: S::Fine, slope: S::Fine) -> Rows {
+    fn rows(center: Vec3<S::Wide>, radius: S::Wide, distance: S::Wide, slope: S::Wide) -> Rows {
         let far = center.z + distance;
         let size = center.max_abs() + distance + radius;
         // Three coordinates, each of which is as large as that.
         let radius = radius + S::uncertainty(size + size + size);
         let (nearest, farthest) = (far - radius, far + radius);
-        if !nearest.is_divisor() || nearest <= S::Fine::ZERO || !farthest.is_finite() {
+        if !nearest.is_divisor() || nearest <= S::Wide::ZERO || !farthest.is_finite() {
             return Rows::ALL;
         }
         let (low, high) = (center.y - radius, center.y + radius);
-        let low = low / if low < S::Fine::ZERO { nearest } else { farthest };
-        let high = high / if high < S::Fine::ZERO { farthest } else { nearest };
-        let at = Affine { middle: S::Fine::ZERO, step: slope };
+        let low = low / if low < S::Wide::ZERO { nearest } else { farthest };
+        let high = high / if high < S::Wide::ZERO { farthest } else { nearest };
+        let at = Affine { middle: S::Wide::ZERO, step: slope };
         Rows::of(Steps::between::<S>(at, low, high, low.abs() + high.abs()))
     }
 
     /// d in a row.
-    pub(super) fn direction(&self, y: i32) -> [Affine<S::Fine>; 3] {
-        let x = Affine { middle: S::Fine::ZERO, step: self.slope };
-        [x, constant(S::Fine::ZERO.after_steps(self.slope, y)), constant(S::Fine::ONE)]
+    pub(super) fn direction(&self, y: i32) -> [Affine<S::Wide>; 3] {
+        let x = Affine { middle: S::Wide::ZERO, step: self.slope };
+        [x, constant(S::Wide::ZERO.after_steps(self.slope, y)), constant(S::Wide::ONE)]
     }
 
     /// p − c in a row, p being where the rays have t = 0.
-    pub(super) fn position(&self, y: i32) -> [Affine<S::Fine>; 3] {
+    pub(super) fn position(&self, y: i32) -> [Affine<S::Wide>; 3] {
         let Vec3 { x, y: across, z } = self.center;
-        let along = Affine { middle: -x, step: self.pitch };
-        [along, constant((-across).after_steps(self.pitch, y)), constant(-z)]
+        let along = Affine { middle: -x, step: self.half_pixel };
+        [along, constant((-across).after_steps(self.half_pixel, y)), constant(-z)]
     }
 
     /// c × d in a row, with c as seen from the eye.
-    pub(super) fn moment(&self, y: i32) -> [Affine<S::Fine>; 3] {
+    pub(super) fn moment(&self, y: i32) -> [Affine<S::Wide>; 3] {
         let Vec3 { x: cx, y: cy, z: cz } = self.center;
         // What half a pixel is at the ball's distance.
-        let lever = self.pitch + cz * self.slope;
+        let lever = self.half_pixel + cz * self.slope;
         [
             constant(cy.after_steps(-lever, y)),
             Affine { middle: -cx, step: lever },
             Affine {
-                middle: S::Fine::ZERO.after_steps(cx * self.slope, y),
+                middle: S::Wide::ZERO.after_steps(cx * self.slope, y),
                 step: -(cy * self.slope),
             },
         ]
@@ -161,7 +161,7 @@ impl<S: Scalar> PencilBall<S> {
     }
 
     pub(super) fn extent(&self, y: i32, columns: u32) -> Extent {
-        let reach = self.direction(y).map(|part| part.times(self.radius + S::BLUR.fine()));
+        let reach = self.direction(y).map(|part| part.times(self.radius + S::ROUNDING.wide()));
         extent(&reach, &self.moment(y), columns)
     }
 }

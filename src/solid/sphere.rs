@@ -2,11 +2,11 @@
 
 use super::intersect::Intersect;
 use super::leaf::{Leaf, leaf};
-use super::silhouette::PencilBall;
+use super::silhouette::PerspectiveBall;
 use super::strip::Steps;
 use super::{Shape, Solid};
-use crate::geom::{Affine, Extent, Line, Parallel, Pencil, Vec3, shortened};
-use crate::scalar::{Check, Chord, FixedI32, Fraction, Real, Scalar};
+use crate::geom::{Affine, Extent, Line, OrthographicRays, PerspectiveRays, Vec3, shortened};
+use crate::scalar::{Chord, ConstOps, FixedI32, Fraction, Real, Scalar};
 use crate::span::{Crossing, Face, Span, SpanStack};
 
 /// A solid sphere.
@@ -18,7 +18,7 @@ pub struct Sphere<S: Scalar> {
     center: Vec3<S>,
     radius: S,
     /// 1/radius.
-    curvature: S::Factor,
+    curvature: S::Scale,
 }
 
 /// Why a sphere can't be made.
@@ -28,9 +28,9 @@ pub struct Sphere<S: Scalar> {
 pub enum SphereError {
     /// A coordinate or the radius is infinite or NaN.
     NotFinite,
-    /// The radius is zero, negative, or not between [`Scalar::FINEST`] and [`Scalar::REACH`].
+    /// The radius is zero, negative, or not between [`Scalar::MIN_RADIUS`] and [`Scalar::MAX_COORDINATE`].
     Radius,
-    /// A coordinate is larger than [`Scalar::REACH`].
+    /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
     TooFar,
 }
 
@@ -51,16 +51,16 @@ macro_rules! constructors {
                 center: Vec3<$Scalar>,
                 radius: $Scalar,
             ) -> Result<Self, SphereError> {
-                if !center.has_finite_coordinates() || !Check::<$Scalar>::is_finite(radius) {
+                if !center.has_finite_coordinates() || !ConstOps::<$Scalar>::is_finite(radius) {
                     return Err(SphereError::NotFinite);
                 }
-                if !Check::<$Scalar>::is_radius(radius) {
+                if !ConstOps::<$Scalar>::is_radius(radius) {
                     return Err(SphereError::Radius);
                 }
                 if !center.is_within_reach() {
                     return Err(SphereError::TooFar);
                 }
-                Ok(Self { center, radius, curvature: Check::<$Scalar>::inverse(radius) })
+                Ok(Self { center, radius, curvature: ConstOps::<$Scalar>::inverse(radius) })
             }
         }
     )+};
@@ -100,64 +100,64 @@ impl<S: Intersect> Solid for Sphere<S> {
 }
 
 /// In the image plane the ball is a disc, and a row cuts a chord out of it.
-impl<S: Scalar> Leaf<Parallel<S>> for Sphere<S> {
-    type View = Option<ParallelView<S>>;
-    type Row = Option<ParallelRow<S>>;
+impl<S: Scalar> Leaf<OrthographicRays<S>> for Sphere<S> {
+    type View = Option<OrthographicView<S>>;
+    type Row = Option<OrthographicRow<S>>;
 
-    fn seen_along(&self, rays: &Parallel<S>) -> Self::View {
-        let from_center = rays.center - self.center.fine();
-        Some(ParallelView {
+    fn seen_along(&self, rays: &OrthographicRays<S>) -> Self::View {
+        let from_center = rays.center - self.center.wide();
+        Some(OrthographicView {
             along: from_center.dot_compensated(rays.right),
             across: from_center.dot_compensated(rays.down),
-            pitch: rays.pitch,
-            middle: S::from_fine(-from_center.dot_compensated(rays.forward)),
+            half_pixel: rays.half_pixel,
+            middle: S::from_wide(-from_center.dot_compensated(rays.forward)),
         })
     }
 
     fn in_row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
         *row = None;
         let Some(view) = view else { return Extent::EMPTY };
-        let across = S::from_fine(view.across.after_steps(view.pitch, y));
+        let across = S::from_wide(view.across.after_steps(view.half_pixel, y));
         let Some(radius) = S::leg(self.radius, across) else { return Extent::EMPTY };
-        *row = Some(ParallelRow { radius });
-        let along = Affine { middle: view.along, step: view.pitch };
-        Steps::within::<S>(along, radius.fine()).columns(columns)
+        *row = Some(OrthographicRow { radius });
+        let along = Affine { middle: view.along, step: view.half_pixel };
+        Steps::within::<S>(along, radius.wide()).columns(columns)
     }
 
     #[inline]
     fn span(&self, view: &Self::View, row: &Self::Row, x: i32) -> Option<Span<S>> {
         let (Some(view), Some(row)) = (view, row) else { return None };
-        let half = S::leg(row.radius, S::from_fine(view.along.after_steps(view.pitch, x)))?;
+        let half = S::leg(row.radius, S::from_wide(view.along.after_steps(view.half_pixel, x)))?;
         span(view.middle.minus(half), view.middle.plus(half))
     }
 }
 
 /// A sphere, seen along parallel rays.
 #[derive(Debug, Clone, Copy)]
-pub struct ParallelView<S: Scalar> {
+pub struct OrthographicView<S: Scalar> {
     /// The middle of the picture, seen from the sphere's centre, to the right and down.
-    along: S::Fine,
-    across: S::Fine,
+    along: S::Wide,
+    across: S::Wide,
     /// The size of half a pixel.
-    pitch: S::Fine,
+    half_pixel: S::Wide,
     /// The parameter in the middle of chords.
     middle: S,
 }
 
 /// A row of a sphere, seen along parallel rays.
 #[derive(Debug, Clone, Copy)]
-pub struct ParallelRow<S: Scalar> {
+pub struct OrthographicRow<S: Scalar> {
     /// Of the circle that the row cuts out.
     radius: S,
 }
 
-impl<S: Scalar> Leaf<Pencil<S>> for Sphere<S> {
-    type View = Option<PencilView<S>>;
-    type Row = Option<PencilRow<S>>;
+impl<S: Scalar> Leaf<PerspectiveRays<S>> for Sphere<S> {
+    type View = Option<PerspectiveView<S>>;
+    type Row = Option<PerspectiveRow<S>>;
 
-    fn seen_along(&self, rays: &Pencil<S>) -> Self::View {
-        let ball = PencilBall::new(self.center.fine(), self.radius.fine(), rays);
-        Some(PencilView { ball, halvings: rays.halvings })
+    fn seen_along(&self, rays: &PerspectiveRays<S>) -> Self::View {
+        let ball = PerspectiveBall::new(self.center.wide(), self.radius.wide(), rays);
+        Some(PerspectiveView { ball, halvings: rays.halvings })
     }
 
     #[inline]
@@ -168,7 +168,7 @@ impl<S: Scalar> Leaf<Pencil<S>> for Sphere<S> {
     fn in_row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
         *row = None;
         let Some(view) = view else { return Extent::EMPTY };
-        *row = Some(PencilRow {
+        *row = Some(PerspectiveRow {
             moment: shortened(view.ball.moment(y), view.halvings),
             from_center: view.ball.position(y),
             direction: shortened(view.ball.direction(y), view.halvings),
@@ -182,11 +182,12 @@ impl<S: Scalar> Leaf<Pencil<S>> for Sphere<S> {
         let direction = row.direction.map(|part| S::unit(part.at(x)));
         let (k, q) = (
             row.moment.map(|part| part.at(x)),
-            row.from_center.map(|part| S::from_fine(part.at(x))),
+            row.from_center.map(|part| S::from_wide(part.at(x))),
         );
         match S::chord(self.radius, k, q, direction) {
             Chord::Between(enter, exit) => {
-                let [enter, exit] = [enter, exit].map(|t| Pencil::along_whole(t, view.halvings));
+                let [enter, exit] =
+                    [enter, exit].map(|t| PerspectiveRays::along_whole(t, view.halvings));
                 span(enter, exit)
             }
             Chord::Beside | Chord::Along => None,
@@ -196,19 +197,19 @@ impl<S: Scalar> Leaf<Pencil<S>> for Sphere<S> {
 
 /// A sphere, seen from an eye.
 #[derive(Debug, Clone, Copy)]
-pub struct PencilView<S: Scalar> {
-    ball: PencilBall<S>,
+pub struct PerspectiveView<S: Scalar> {
+    ball: PerspectiveBall<S>,
     /// How often directions are halved.
     halvings: u8,
 }
 
 /// A row of a sphere, seen from an eye: in the camera's frame.
 #[derive(Debug, Clone, Copy)]
-pub struct PencilRow<S: Scalar> {
+pub struct PerspectiveRow<S: Scalar> {
     /// c × d, p − c and d, where d is halved as directions are.
-    moment: [Affine<S::Fine>; 3],
-    from_center: [Affine<S::Fine>; 3],
-    direction: [Affine<S::Fine>; 3],
+    moment: [Affine<S::Wide>; 3],
+    from_center: [Affine<S::Wide>; 3],
+    direction: [Affine<S::Wide>; 3],
 }
 
 leaf!([S: Scalar] Sphere<S>);

@@ -6,7 +6,7 @@
 
 use crate::geom::{Affine, Extent};
 use crate::scalar::{Number, Real, Scalar};
-use crate::solid::row::Blank;
+use crate::solid::row::Empty;
 
 /// Pixels next to each other, by their half pixels from the middle of the picture: none, if the last
 /// one is before the first.
@@ -24,10 +24,10 @@ impl Steps {
     /// well as rounding errors of lengths up to `size` allow.
     #[inline(never)] // once or twice a row is seldom
     pub(super) fn between<S: Scalar>(
-        length: Affine<S::Fine>,
-        low: S::Fine,
-        high: S::Fine,
-        size: S::Fine,
+        length: Affine<S::Wide>,
+        low: S::Wide,
+        high: S::Wide,
+        size: S::Wide,
     ) -> Self {
         /// By so much quotients may be off: see [`Real::ratio`].
         const MARGIN: i32 = 3;
@@ -37,12 +37,12 @@ impl Steps {
         if !(high - low).is_finite() {
             return Self::ALL;
         }
-        if length.step == S::Fine::ZERO {
-            let is_between = low <= S::Fine::ZERO && S::Fine::ZERO <= high;
+        if length.step == S::Wide::ZERO {
+            let is_between = low <= S::Wide::ZERO && S::Wide::ZERO <= high;
             return if is_between { Self::ALL } else { Self::NONE };
         }
         let [mut first, mut last] = [low, high].map(|way| way.ratio(length.step));
-        if length.step < S::Fine::ZERO {
+        if length.step < S::Wide::ZERO {
             (first, last) = (last, first);
         }
         Self { first: first.saturating_sub(MARGIN), last: last.saturating_add(MARGIN) }
@@ -50,7 +50,7 @@ impl Steps {
 
     /// Where `|length| ≤ reach` may hold.
     #[inline]
-    pub(super) fn within<S: Scalar>(length: Affine<S::Fine>, reach: S::Fine) -> Self {
+    pub(super) fn within<S: Scalar>(length: Affine<S::Wide>, reach: S::Wide) -> Self {
         Self::between::<S>(length, -reach, reach, reach + length.middle.abs())
     }
 
@@ -105,6 +105,6 @@ impl Rows {
     }
 }
 
-impl Blank for Rows {
-    const BLANK: Self = Self { first: 0, last: 0 };
+impl Empty for Rows {
+    const EMPTY: Self = Self { first: 0, last: 0 };
 }

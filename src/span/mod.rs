@@ -68,7 +68,7 @@ impl<S: Scalar> Span<S> {
     }
 
     /// Memory for a span.
-    pub(crate) const BLANK: Self = {
+    pub(crate) const EMPTY: Self = {
         let crossing = Crossing { t: S::ZERO, face: Face(0) };
         Self { enter: crossing, exit: crossing }
     };

@@ -14,7 +14,7 @@ use super::CurveError;
 use super::fixed::FixedFrame;
 use super::float::{order_f32, order_f64};
 use super::long::{Long, power};
-use crate::scalar::whole::narrow;
+use crate::scalar::integer::narrow;
 use crate::scalar::{FixedI32, FloatFrame, Fraction};
 
 /// What baking a span needs to know of its number type.

@@ -9,7 +9,7 @@ use super::point::Point;
 use super::shape::Shape;
 use super::{CurveError, EvaluateError, tree};
 use crate::geom::Vec3;
-use crate::scalar::{Check, FixedI32, Fraction, Polynomial};
+use crate::scalar::{ConstOps, FixedI32, Fraction, Polynomial};
 
 /// A B-spline curve of the order `K` as polynomials, for `SPANS` spans: those of its domain that are
 /// not empty, which [`Knots::spans`](super::Knots::spans) counts.
@@ -96,8 +96,8 @@ macro_rules! bake {
                     let mut i = 0;
                     while i < PIECES {
                         let (first, count) = (4 * part, 4 * parts);
-                        let start = Check::<$Scalar>::part(low, high, first + CUTS[i], count);
-                        let stop = Check::<$Scalar>::part(low, high, first + CUTS[i + 1], count);
+                        let start = ConstOps::<$Scalar>::part(low, high, first + CUTS[i], count);
+                        let stop = ConstOps::<$Scalar>::part(low, high, first + CUTS[i + 1], count);
                         match self.piece(span, start, stop) {
                             Ok(made) => pieces[at][i] = made,
                             Err(error) => return Err(error),

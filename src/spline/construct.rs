@@ -2,10 +2,10 @@
 
 use super::KnotError;
 use super::knots::Knots;
-use crate::scalar::{Check, FixedI32, Fraction};
+use crate::scalar::{ConstOps, FixedI32, Fraction};
 
 /// The sums and quotients that constructors need.
-impl<F: Fraction> Check<FixedI32<F>> {
+impl<F: Fraction> ConstOps<FixedI32<F>> {
     /// `from + step·count`, if it can be represented.
     const fn step(from: FixedI32<F>, step: FixedI32<F>, count: usize) -> Option<FixedI32<F>> {
         let bits = from.to_bits() as i128 + step.to_bits() as i128 * count as i128;
@@ -20,7 +20,7 @@ impl<F: Fraction> Check<FixedI32<F>> {
         count: usize,
     ) -> Option<FixedI32<F>> {
         let width = to.to_bits() as i128 - from.to_bits() as i128;
-        let part = crate::scalar::whole::divide(width * index as i128, count as i128);
+        let part = crate::scalar::integer::divide(width * index as i128, count as i128);
         Self::exactly(from.to_bits() as i128 + part)
     }
 
@@ -57,7 +57,7 @@ impl<F: Fraction> Check<FixedI32<F>> {
 
 macro_rules! floats {
     ($($Float:ident),+) => {$(
-        impl Check<$Float> {
+        impl ConstOps<$Float> {
             const fn step(from: $Float, step: $Float, count: usize) -> Option<$Float> {
                 Self::finite(from + step * count as $Float)
             }
@@ -113,7 +113,7 @@ macro_rules! constructors {
             /// # Errors
             /// A [`KnotError`] where these are no knots of order `K`.
             pub const fn new(knots: &[$Scalar]) -> Result<Self, KnotError> {
-                let mut copy = [Check::<$Scalar>::ZERO; N];
+                let mut copy = [ConstOps::<$Scalar>::ZERO; N];
                 if knots.len() > N {
                     return Err(KnotError::TooMany);
                 }
@@ -142,13 +142,13 @@ macro_rules! constructors {
                 if points > N || points + K > N {
                     return Err(KnotError::TooMany);
                 }
-                if !(Check::<$Scalar>::is_finite(from) && Check::<$Scalar>::is_finite(step)) {
+                if !(ConstOps::<$Scalar>::is_finite(from) && ConstOps::<$Scalar>::is_finite(step)) {
                     return Err(KnotError::NotFinite);
                 }
-                let mut knots = [Check::<$Scalar>::ZERO; N];
+                let mut knots = [ConstOps::<$Scalar>::ZERO; N];
                 let mut i = 0;
                 while i < N && i < points + K {
-                    match Check::<$Scalar>::step(from, step, i) {
+                    match ConstOps::<$Scalar>::step(from, step, i) {
                         Some(knot) => knots[i] = knot,
                         None => return Err(KnotError::TooFar),
                     }
@@ -175,13 +175,13 @@ macro_rules! constructors {
                 if points < K {
                     return Err(KnotError::TooFew);
                 }
-                if !(Check::<$Scalar>::is_finite(from) && Check::<$Scalar>::is_finite(to)) {
+                if !(ConstOps::<$Scalar>::is_finite(from) && ConstOps::<$Scalar>::is_finite(to)) {
                     return Err(KnotError::NotFinite);
                 }
-                if !Check::<$Scalar>::is_below(from, to) {
+                if !ConstOps::<$Scalar>::is_below(from, to) {
                     return Err(KnotError::Decreasing);
                 }
-                let mut knots = [Check::<$Scalar>::ZERO; N];
+                let mut knots = [ConstOps::<$Scalar>::ZERO; N];
                 let mut i = 0;
                 while i < N && i < points + K {
                     knots[i] = if i < K {
@@ -189,7 +189,7 @@ macro_rules! constructors {
                     } else if i >= points {
                         to
                     } else {
-                        match Check::<$Scalar>::divided(from, to, i + 1 - K, points + 1 - K) {
+                        match ConstOps::<$Scalar>::divided(from, to, i + 1 - K, points + 1 - K) {
                             Some(knot) => knot,
                             None => return Err(KnotError::TooFar),
                         }
@@ -211,12 +211,12 @@ macro_rules! constructors {
                     return Err(KnotError::TooMany);
                 }
                 let [first, _, ..] = breaks else { return Err(KnotError::TooFew) };
-                let mut knots = [Check::<$Scalar>::ZERO; N];
+                let mut knots = [ConstOps::<$Scalar>::ZERO; N];
                 let mut i = K - 1;
                 let mut rest = breaks;
                 let mut last = *first;
                 while i < N && let [knot, others @ ..] = rest {
-                    if !Check::<$Scalar>::is_finite(*knot) {
+                    if !ConstOps::<$Scalar>::is_finite(*knot) {
                         return Err(KnotError::NotFinite);
                     }
                     knots[i] = *knot;
@@ -230,7 +230,7 @@ macro_rules! constructors {
                 while j < K {
                     let (low, high) = (K - 1 - j, K - 1 + length - 1 + j);
                     if high < N && low < N {
-                        match Check::<$Scalar>::shifted(first, knots[low + length - 1], last) {
+                        match ConstOps::<$Scalar>::shifted(first, knots[low + length - 1], last) {
                             Some(knot) => knots[low] = knot,
                             None => return Err(KnotError::TooFar),
                         }
@@ -241,7 +241,7 @@ macro_rules! constructors {
                 while j < K {
                     let high = K - 1 + length - 1 + j;
                     if high < N && high + 1 >= length {
-                        match Check::<$Scalar>::shifted(last, knots[high + 1 - length], first) {
+                        match ConstOps::<$Scalar>::shifted(last, knots[high + 1 - length], first) {
                             Some(knot) => knots[high] = knot,
                             None => return Err(KnotError::TooFar),
                         }
@@ -262,13 +262,13 @@ macro_rules! constructors {
                 let mut i = 0;
                 let mut same = 0;
                 while i < N && i < length {
-                    if !Check::<$Scalar>::is_finite(knots[i]) {
+                    if !ConstOps::<$Scalar>::is_finite(knots[i]) {
                         return Err(KnotError::NotFinite);
                     }
-                    if i > 0 && Check::<$Scalar>::is_below(knots[i], knots[i - 1]) {
+                    if i > 0 && ConstOps::<$Scalar>::is_below(knots[i], knots[i - 1]) {
                         return Err(KnotError::Decreasing);
                     }
-                    let rises = i == 0 || Check::<$Scalar>::is_below(knots[i - 1], knots[i]);
+                    let rises = i == 0 || ConstOps::<$Scalar>::is_below(knots[i - 1], knots[i]);
                     same = if rises { 1 } else { same + 1 };
                     if same > K {
                         return Err(KnotError::Multiplicity);
@@ -276,7 +276,7 @@ macro_rules! constructors {
                     i += 1;
                 }
                 if length > 0 && length <= N
-                    && !Check::<$Scalar>::is_in_range_of_knots(knots[0], knots[length - 1])
+                    && !ConstOps::<$Scalar>::is_in_range_of_knots(knots[0], knots[length - 1])
                 {
                     return Err(KnotError::TooFar);
                 }
@@ -295,7 +295,7 @@ macro_rules! constructors {
                 let mut spans = 0;
                 let mut i = K - 1;
                 while i + 1 < N && i + K < self.length {
-                    if Check::<$Scalar>::is_below(self.knots[i], self.knots[i + 1]) {
+                    if ConstOps::<$Scalar>::is_below(self.knots[i], self.knots[i + 1]) {
                         spans += 1;
                     }
                     i += 1;

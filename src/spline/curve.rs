@@ -215,7 +215,7 @@ impl<S: Blend, const K: usize, const C: usize, const N: usize> Curve<Vec3<S>, K,
 
 /// A velocity as a vector of length 1.
 pub(super) fn direction<S: Blend>(velocity: Vec3<S>) -> Result<Vec3<S::Unit>, EvaluateError> {
-    let direction = velocity.map(S::fine).normalized().ok_or(EvaluateError::Stationary)?;
+    let direction = velocity.map(S::wide).normalized().ok_or(EvaluateError::Stationary)?;
     Ok(direction.map(S::unit))
 }
 

@@ -39,7 +39,7 @@ pub enum CurveError {
     PointCount,
     /// A coordinate of a control point is infinite or NaN.
     NotFinite,
-    /// A coordinate of a control point is larger than [`Scalar::REACH`](crate::scalar::Scalar::REACH)
+    /// A coordinate of a control point is larger than [`Scalar::MAX_COORDINATE`](crate::scalar::Scalar::MAX_COORDINATE)
     /// in floating point; or, for a baked curve in fixed point, a span goes so far that less than
     /// four guard bits are left.
     TooFar,

@@ -1,7 +1,7 @@
 //! Splines in fixed point: whole numbers with guard bits, rounded once.
 
 use super::blend::{Blend, falling};
-use crate::scalar::whole::{divide, narrow, shift_right};
+use crate::scalar::integer::{divide, narrow, shift_right};
 use crate::scalar::{FixedI32, Fraction};
 use core::fmt::Debug;
 

@@ -45,7 +45,7 @@ impl<S: Float> Weight<S> {
         let product = self.0.times(Double::from(degree));
         let Double { high, low } = quotient(product, width);
         // Outside of the range in which the product of quotient and divisor has an exact error.
-        if high.abs() > S::REACH { within(high) } else { Self(Double { high, low }) }
+        if high.abs() > S::MAX_COORDINATE { within(high) } else { Self(Double { high, low }) }
     }
 }
 
@@ -55,7 +55,7 @@ fn quotient<S: Float>(a: Double<S>, b: Double<S>) -> Double<S> {
         return Double::from(S::ZERO);
     }
     let high = a.high / b.high;
-    if high.abs() > S::REACH {
+    if high.abs() > S::MAX_COORDINATE {
         return Double::from(high);
     }
     let back = Double::product(high, b.high);
@@ -90,7 +90,7 @@ macro_rules! floats {
 
             $($own)*
 
-            const LARGEST: Self = Self::REACH;
+            const LARGEST: Self = Self::MAX_COORDINATE;
             const NOTHING: Self = 0.0;
             const FULL: Weight<Self> = Weight(Double { high: 1.0, low: 0.0 });
             const NONE: Weight<Self> = Weight(Double { high: 0.0, low: 0.0 });
@@ -291,4 +291,4 @@ floats!(
     f64 libm::fmod, u64 i64 order_f64, {}
 );
 
-const _: () = assert!(<f32 as Scalar>::REACH < 1e18);
+const _: () = assert!(<f32 as Scalar>::MAX_COORDINATE < 1e18);

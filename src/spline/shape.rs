@@ -6,7 +6,7 @@ use super::curve::Curve;
 use super::knots::Knots;
 use super::weights::Span;
 use crate::geom::Vec3;
-use crate::scalar::{Check, FixedI32, Fraction};
+use crate::scalar::{ConstOps, FixedI32, Fraction};
 use core::marker::PhantomData;
 
 /// What constructors need to know of a kind of points, for constants.
@@ -26,10 +26,10 @@ macro_rules! shape {
                 let coordinates = Self::coordinates(point);
                 let mut rest: &[$Scalar] = &coordinates;
                 while let [x, others @ ..] = rest {
-                    if !Check::<$Scalar>::is_finite(*x) {
+                    if !ConstOps::<$Scalar>::is_finite(*x) {
                         return Err(CurveError::NotFinite);
                     }
-                    if !Check::<$Scalar>::is_control_coordinate(*x) {
+                    if !ConstOps::<$Scalar>::is_control_coordinate(*x) {
                         return Err(CurveError::TooFar);
                     }
                     rest = others;
@@ -135,7 +135,7 @@ macro_rules! shape {
                     spans[i].frame = frames[i];
                     let mut d = 0;
                     while d < $D {
-                        let mut coordinates = [Check::<$Scalar>::ZERO; K];
+                        let mut coordinates = [ConstOps::<$Scalar>::ZERO; K];
                         let mut j = 0;
                         while j < K {
                             coordinates[j] = Shape::<$Point>::coordinates(points[first + j])[d];
@@ -164,7 +164,7 @@ macro_rules! shapes {
         shape!([] $Scalar, Vec3<$Scalar>, 3, point => point.to_array(), Vec3::new(0.0, 0.0, 0.0));
         shape!([const D: usize,] $Scalar, [$Scalar; D], D, point => point, [0.0; D]);
 
-        impl Check<$Scalar> {
+        impl ConstOps<$Scalar> {
             const fn is_control_coordinate(x: $Scalar) -> bool {
                 Self::is_within_reach(x)
             }
@@ -182,7 +182,7 @@ shape!([F: Fraction, const D: usize,] FixedI32<F>, [FixedI32<F>; D], D, point =>
     [FixedI32::from_bits(0); D]
 });
 
-impl<F: Fraction> Check<FixedI32<F>> {
+impl<F: Fraction> ConstOps<FixedI32<F>> {
     const fn is_control_coordinate(_: FixedI32<F>) -> bool {
         true
     }

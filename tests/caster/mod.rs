@@ -207,8 +207,8 @@ impl Camera {
         let forward = unit(sub(self.target, self.eye));
         let right = unit(cross(forward, self.up));
         let down = cross(forward, right);
-        let pitch = self.frame_height / f64::from(height);
-        let offset = |i: u16, n: u16| (f64::from(i) + 0.5 - f64::from(n) / 2.0) * pitch;
+        let half_pixel = self.frame_height / f64::from(height);
+        let offset = |i: u16, n: u16| (f64::from(i) + 0.5 - f64::from(n) / 2.0) * half_pixel;
         let across = times(right, offset(x, width) + nudge[0]);
         let origin = add(self.target, add(across, times(down, offset(y, height) + nudge[1])));
         let direction = if self.is_perspective {

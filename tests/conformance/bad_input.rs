@@ -55,7 +55,7 @@ fn cylinders<S: Tested>() {
         S::along(axis, [S::ZERO; 2], S::near(radius), S::near(low), S::near(high)).err()
     };
     let between = |from, to, radius| S::between(vector(from), vector(to), S::near(radius)).err();
-    for radius in [0.0, -0.0, -1.0, -S::FINEST.to_f64()] {
+    for radius in [0.0, -0.0, -1.0, -S::MIN_RADIUS.to_f64()] {
         for axis in 0..3 {
             assert_eq!(along(axis, radius, -1.0, 1.0), Some(Radius), "{radius}");
         }
@@ -74,8 +74,13 @@ fn cylinders<S: Tested>() {
 /// Numbers whose squares would overflow or vanish are errors, and no solid that wraps round, has
 /// NaN in it, or can't be hit.
 fn beyond_the_range_of_the_number_type<S: Tested>() {
-    let (reach, finest) = (S::REACH.to_f64(), S::FINEST.to_f64());
-    for far in [S::REACH.up().to_f64(), 2.0 * reach, -2.0 * reach, -S::REACH.up().to_f64()] {
+    let (reach, finest) = (S::MAX_COORDINATE.to_f64(), S::MIN_RADIUS.to_f64());
+    for far in [
+        S::MAX_COORDINATE.up().to_f64(),
+        2.0 * reach,
+        -2.0 * reach,
+        -S::MAX_COORDINATE.up().to_f64(),
+    ] {
         let away = [0.0, far, 0.0];
         assert_eq!(S::sphere(vector(away), S::ONE).err(), Some(SphereError::TooFar));
         for axis in 0..3 {
@@ -98,7 +103,7 @@ fn beyond_the_range_of_the_number_type<S: Tested>() {
         let camera = Perspective::look_at(eye, Vec3::ZERO, y, S::ONE);
         assert_eq!(camera.err(), Some(CameraError::TooFar));
     }
-    for radius in [S::REACH.up().to_f64(), 2.0 * reach, S::FINEST.down().to_f64()] {
+    for radius in [S::MAX_COORDINATE.up().to_f64(), 2.0 * reach, S::MIN_RADIUS.down().to_f64()] {
         let sphere = S::sphere(Vec3::ZERO, S::near(radius));
         assert_eq!(sphere.err(), Some(SphereError::Radius), "{radius}");
         let cylinder = S::along(2, [S::ZERO; 2], S::near(radius), S::ZERO, S::ONE);
@@ -170,8 +175,8 @@ fn poses<S: Tested>() {
     for turn in [Pose::rotation_x, Pose::rotation_y, Pose::rotation_z] {
         at_every_place([0.5], PoseError::NotFinite, |[angle]: [S; 1]| turn(angle));
     }
-    let reach = S::REACH.to_f64();
-    for far in [S::REACH.up().to_f64(), 2.0 * reach, -S::REACH.up().to_f64()] {
+    let reach = S::MAX_COORDINATE.to_f64();
+    for far in [S::MAX_COORDINATE.up().to_f64(), 2.0 * reach, -S::MAX_COORDINATE.up().to_f64()] {
         for axis in 0..3 {
             let by = std::array::from_fn(|i| if i == axis { far } else { 0.0 });
             assert_eq!(S::translation(vector(by)).err(), Some(PoseError::TooFar), "{by:?}");

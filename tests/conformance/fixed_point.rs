@@ -11,7 +11,7 @@ use scancsg::render::{
 };
 use scancsg::scalar::{I16F16, Scalar};
 use scancsg::solid::{
-    Cylinder, CylinderWall, Difference, Intersection, Project, Slab, Solid, Sphere, Union,
+    Cylinder, CylinderWall, Difference, Intersection, Scan, Slab, Solid, Sphere, Union,
 };
 use scancsg::span::{Span, SpanList};
 
@@ -93,7 +93,7 @@ fn direction_lengths() {
 /// times the reach away, at twice that parameter.
 #[test]
 fn coordinates_at_reach() {
-    let reach = S::REACH.to_f64();
+    let reach = S::MAX_COORDINATE.to_f64();
     assert_eq!(reach, 4096.0);
     let far = ball::<S>([reach; 3], reach);
     let slow = ray::<S>([-reach, reach, reach], [0.5, 0.0, 0.0]);
@@ -116,7 +116,7 @@ fn coordinates_at_reach() {
 /// decides, and a formula that rounds its squares to 32 bits can't see it.
 #[test]
 fn grazing_the_largest_radius() {
-    let reach = S::REACH.to_f64();
+    let reach = S::MAX_COORDINATE.to_f64();
     let solids = (ball::<S>([0.0; 3], reach), rod::<S>(reach, -1.0, 1.0));
     for (past, hits) in [(reach, false), (reach - UNIT, true)] {
         let graze = ray::<S>([0.0, past, -reach], [0.0, 0.0, 1.0]);
@@ -243,7 +243,7 @@ fn parameters_beyond_the_range() {
 /// the same place, whose parameters have no bit to spare.
 #[test]
 fn nested_differences_at_reach() {
-    let reach = S::REACH.to_f64();
+    let reach = S::MAX_COORDINATE.to_f64();
     let (a, b) = (rod::<S>(1.0, reach - 4.0, reach), rod::<S>(1.0, reach - 4.0, reach - 2.0));
     for [origin, direction] in [
         [[reach - 3.0, 0.25, reach], [0.0, 0.0, -0.5]],
@@ -301,7 +301,7 @@ fn any_number() -> BoxedStrategy<S> {
 
 /// Mostly those that constructors take.
 fn in_reach() -> BoxedStrategy<S> {
-    let reach = S::REACH;
+    let reach = S::MAX_COORDINATE;
     any_number().prop_map(move |x| if x > reach || x < -reach { x >> 4u32 } else { x }).boxed()
 }
 
@@ -370,7 +370,7 @@ fn check_picture<C>(
 ) -> Result<(), TestCaseError>
 where
     C: Camera<Rays: Rays<Scalar = S>>,
-    Anything: Project<C::Rays, Scalar = S>,
+    Anything: Scan<C::Rays, Scalar = S>,
 {
     fn check<C, H: Shader<S>>(
         solid: &Anything,
@@ -380,7 +380,7 @@ where
     ) -> Result<(), TestCaseError>
     where
         C: Camera<Rays: Rays<Scalar = S>>,
-        Anything: Project<C::Rays, Scalar = S>,
+        Anything: Scan<C::Rays, Scalar = S>,
     {
         let size = Size::new(width, height).unwrap();
         let mut picture = Picture::new(solid, camera, size, shader, Gray8(7));

@@ -43,7 +43,7 @@ fn check<S: Tested>(
 ) -> Result<(), TestCaseError> {
     let [x, y, z] = center;
     let middle = [[y, z], [x, z], [x, y]][axis];
-    let [low, high] = [-S::REACH.to_f64(), S::REACH.to_f64()].map(S::near);
+    let [low, high] = [-S::MAX_COORDINATE.to_f64(), S::MAX_COORDINATE.to_f64()].map(S::near);
     let rod = S::along(axis, middle.map(S::near), S::near(radius), low, high).unwrap();
     let ball = S::sphere(vector(center), S::near(radius)).unwrap();
     let mut list = SpanList::<S, 1>::new();

@@ -18,7 +18,7 @@ use scancsg::geom::{Ray, Rays, vec3};
 use scancsg::render::{
     Camera, Depth, Gray8, Lambert, Orthographic, Perspective, Picture, Shader, Size, XRay,
 };
-use scancsg::solid::{Cylinder, Difference, Intersection, Project, Slab, Solid, Sphere, Union};
+use scancsg::solid::{Cylinder, Difference, Intersection, Scan, Slab, Solid, Sphere, Union};
 use scancsg::span::SpanList;
 
 for_every_number!(
@@ -143,7 +143,7 @@ fn compare<S, T, C>(
 where
     S: Tested,
     C: Camera<Rays: Rays<Scalar = S>>,
-    T: Solid<Scalar = S> + Project<C::Rays>,
+    T: Solid<Scalar = S> + Scan<C::Rays>,
 {
     let [width, height] = size;
     let shader = XRay::new(S::ONE).unwrap();
@@ -469,8 +469,11 @@ fn random_perspective<S: Tested>() {
 /// the eye's coordinates resolve hundredths of a unit at best. In fixed point, from nearly as far
 /// away as can be, or as far as leaves a hundred units to the field of view.
 fn from_far_away<S: Tested>() {
-    let far =
-        if S::IS_FIXED { (0.9 * S::REACH.to_f64()).min(6.0 / (100.0 * S::UNIT)) } else { 1e5 };
+    let far = if S::IS_FIXED {
+        (0.9 * S::MAX_COORDINATE.to_f64()).min(6.0 / (100.0 * S::UNIT))
+    } else {
+        1e5
+    };
     proptest!(config::<S>(), |(part in part::<S>(), way in direction::<S>())| {
         prop_assume!(way[0].abs() + way[2].abs() > 0.05);
         let eye = caster::times(way, far / caster::length(way));
@@ -535,7 +538,7 @@ fn from_inside_a_bore<S: Tested>() {
 fn rows_are_rays<C>(camera: &C, view: &Model) -> usize
 where
     C: Camera<Rays: Rays<Scalar = f64>>,
-    scene::Tee<f64>: Project<C::Rays, Scalar = f64>,
+    scene::Tee<f64>: Scan<C::Rays, Scalar = f64>,
 {
     let size = [97, 61];
     let solid = scene::f64::TEE;
@@ -597,7 +600,7 @@ fn check_levels_seen<S, C, H>(
     S: Tested,
     C: Camera<Rays: Rays<Scalar = S>>,
     H: Shader<S>,
-    scene::Tee<S>: Project<C::Rays, Scalar = S>,
+    scene::Tee<S>: Scan<C::Rays, Scalar = S>,
 {
     let size = [80, 60];
     let to_byte = |level: f64| (level.clamp(0.0, 1.0) * 255.0).round();

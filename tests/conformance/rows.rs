@@ -4,7 +4,7 @@ use crate::number::{Tested, ball, between, rod, vector};
 use proptest::prelude::*;
 use scancsg::geom::{Column, Rays, Vec3};
 use scancsg::render::{Camera, Gray8, Orthographic, Perspective, Picture, Size, XRay};
-use scancsg::solid::{Blank, Project, Solid};
+use scancsg::solid::{Empty, Scan, Solid};
 use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
 
 for_every_number!(
@@ -26,7 +26,7 @@ fn seen<S, T, C>(solid: &T, camera: &C, side: u16) -> Vec<Vec<bool>>
 where
     S: Tested,
     C: Camera<Rays: Rays<Scalar = S>>,
-    T: Solid<Scalar = S> + Project<C::Rays>,
+    T: Solid<Scalar = S> + Scan<C::Rays>,
 {
     let size = Size::new(side, side).unwrap();
     let mut picture = Picture::new(solid, camera, size, XRay::new(S::ONE).unwrap(), Gray8(0));
@@ -146,10 +146,10 @@ fn check_extents<S, T, R>(solid: &T, rays: &R, height: u16) -> Result<(), TestCa
 where
     S: Tested,
     R: Rays<Scalar = S>,
-    T: Solid<Scalar = S> + Project<R>,
+    T: Solid<Scalar = S> + Scan<R>,
 {
     let mut list = SpanList::<S, 1>::new();
-    let (mut view, mut row) = (T::View::BLANK, T::Row::BLANK);
+    let (mut view, mut row) = (T::View::EMPTY, T::Row::EMPTY);
     solid.view(rays, &mut view);
     for y in 0..height {
         solid.row(&view, from_middle(y.into(), height.into()), rays.columns(), &mut row);
@@ -181,10 +181,10 @@ fn extents_cut_nothing_off<S: Tested>() {
         let unit = 10f64.powi(size);
         let times = |v: [f64; 3], k: f64| v.map(|x| x * k);
         // Beyond the number type's reach, there is no such picture.
-        let far = far.min(0.2 * S::REACH.to_f64() / unit);
+        let far = far.min(0.2 * S::MAX_COORDINATE.to_f64() / unit);
         let target = times(away, far * unit);
         // A coarse grid has no radius that small.
-        let radius = (radius * unit).max(S::FINEST.to_f64());
+        let radius = (radius * unit).max(S::MIN_RADIUS.to_f64());
         let rod = between::<S>([0.0; 3], times(way, unit), radius);
         let ball = ball::<S>([0.0; 3], radius);
         let frame = S::near(zoom * unit * far.max(1.0));

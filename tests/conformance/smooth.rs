@@ -8,7 +8,7 @@ use scancsg::render::{
     Shader, Size, SmoothColumn, SmoothError, SmoothPicture, Smoothing,
 };
 use scancsg::solid::{
-    Blank, Cylinder, Difference, Painted, Project, Rgb, Solid, Sphere, Union, first_seen,
+    Cylinder, Difference, Empty, Painted, Rgb, Scan, Solid, Sphere, Union, first_seen,
 };
 use scancsg::span::{Face, SpanList};
 use std::fmt::Debug;
@@ -54,7 +54,7 @@ fn noise<S: Tested>(face: Face, t: S) -> u8 {
 impl<S: Tested> Shader<S> for Noise {
     fn level<T, R>(&self, sample: Sample<'_, T, R>) -> u8
     where
-        T: Solid<Scalar = S> + Project<R>,
+        T: Solid<Scalar = S> + Scan<R>,
         R: Rays<Scalar = S>,
     {
         noise(sample.seen.face, sample.seen.t)
@@ -102,13 +102,13 @@ type Point<P> = (Option<Face>, P);
 fn points<S, T, C, P>(solid: &T, camera: &C, n: u16, background: P) -> Vec<Vec<Point<P>>>
 where
     S: Tested,
-    T: Solid<Scalar = S> + Project<C::Rays>,
+    T: Solid<Scalar = S> + Scan<C::Rays>,
     C: Camera<Rays: Rays<Scalar = S>>,
     P: Format,
 {
     let [across, down] = [WIDTH, HEIGHT].map(|count| i32::from(2 * n * count));
     let rays = camera.rays(Size::new(across as u16, down as u16).unwrap());
-    let (mut view, mut row) = (T::View::BLANK, T::Row::BLANK);
+    let (mut view, mut row) = (T::View::EMPTY, T::Row::EMPTY);
     solid.view(&rays, &mut view);
     let mut list = SpanList::<S, 8>::new();
     (0..=down)
@@ -144,12 +144,12 @@ fn pixel<P: Copy>(points: &[Vec<Point<P>>], n: u16, [x, y]: [u16; 2]) -> (bool, 
 fn rendered<S, T, C, P, H>(solid: &T, camera: &C, n: u16, shader: H, background: P) -> Vec<Vec<P>>
 where
     S: Tested,
-    T: Solid<Scalar = S> + Project<C::Rays>,
+    T: Solid<Scalar = S> + Scan<C::Rays>,
     C: Camera<Rays: Rays<Scalar = S>>,
     P: Format,
     H: Shader<S>,
 {
-    let mut columns = [SmoothColumn::BLANK; LINE + 1];
+    let mut columns = [SmoothColumn::EMPTY; LINE + 1];
     let size = Size::new(WIDTH, HEIGHT).unwrap();
     let smoothing = Smoothing::new(size, n, &mut columns).unwrap();
     let mut picture = SmoothPicture::new(solid, camera, smoothing, shader, background);
@@ -172,7 +172,7 @@ where
     S: Tested,
     C: Camera<Rays: Rays<Scalar = S>>,
     P: Format,
-    Part<S>: Project<C::Rays> + Solid<Scalar = S>,
+    Part<S>: Scan<C::Rays> + Solid<Scalar = S>,
 {
     let part = part::<S>();
     let points = points(&part, camera, n, background);
@@ -203,7 +203,7 @@ fn plain<S, C>(camera: &C, times: u16, shader: Lambert<S>) -> Vec<Vec<Gray8>>
 where
     S: Tested,
     C: Camera<Rays: Rays<Scalar = S>>,
-    Part<S>: Project<C::Rays> + Solid<Scalar = S>,
+    Part<S>: Scan<C::Rays> + Solid<Scalar = S>,
 {
     let part = part::<S>();
     let size = Size::new(WIDTH * times, HEIGHT * times).unwrap();
@@ -220,7 +220,7 @@ fn check_larger<S, C>(camera: &C, n: u16)
 where
     S: Tested,
     C: Camera<Rays: Rays<Scalar = S>>,
-    Part<S>: Project<C::Rays> + Solid<Scalar = S>,
+    Part<S>: Scan<C::Rays> + Solid<Scalar = S>,
 {
     let light = Lambert::new(vector([0.25, 1.0, 0.5]), S::near(0.25)).unwrap();
     let part = part::<S>();
@@ -268,7 +268,7 @@ fn edges_are_means_of_larger_pictures<S: Tested>() {
 
 fn what_cannot_be_smoothed<S: Tested>() {
     let try_it = |width, samples, memory| {
-        let mut columns = vec![SmoothColumn::<Gray8>::BLANK; memory];
+        let mut columns = vec![SmoothColumn::<Gray8>::EMPTY; memory];
         Smoothing::new(Size::new(width, 3).unwrap(), samples, &mut columns).err()
     };
     assert_eq!(try_it(9, 0, 10), Some(SmoothError::Samples));
@@ -282,7 +282,7 @@ fn what_cannot_be_smoothed<S: Tested>() {
     assert_eq!(try_it(32_768, 1, 32_769), Some(SmoothError::Size));
     assert_eq!(try_it(u16::MAX, 16, 65_536), Some(SmoothError::Size));
 
-    let mut columns = [SmoothColumn::BLANK; 5];
+    let mut columns = [SmoothColumn::EMPTY; 5];
     let smoothing = Smoothing::new(Size::new(4, 3).unwrap(), 2, &mut columns).unwrap();
     let (part, camera) = (part::<S>(), orthographic::<S>());
     let mut picture = SmoothPicture::new(&part, &camera, smoothing, Noise, Gray8(0));

@@ -5,10 +5,10 @@
 use crate::number::{Tested, ball, between, vector};
 use crate::rows::{direction, from_middle, up};
 use proptest::prelude::*;
-use scancsg::geom::{Column, Parallel, Pencil, Pose, Rays, Vec3};
+use scancsg::geom::{Column, OrthographicRays, PerspectiveRays, Pose, Rays, Vec3};
 use scancsg::render::{Camera, Orthographic, Perspective, Size};
 use scancsg::solid::{
-    Blank, Cylinder, Difference, Intersection, Look, Outlook, Painted, Placed, Project, Rgb, Shape,
+    Cylinder, Difference, Empty, Intersection, Look, Outlook, Painted, Placed, Rgb, Scan, Shape,
     Slab, Sphere, Union,
 };
 use scancsg::span::{Face, SpanList, SpanStack};
@@ -28,7 +28,7 @@ impl<T: Shape> Shape for Everywhere<T> {
     const FACES: u16 = T::FACES;
 }
 
-impl<R, T: Project<R>> Project<R> for Everywhere<T> {
+impl<R, T: Scan<R>> Scan<R> for Everywhere<T> {
     type View = T::View;
     type Row = T::Row;
 
@@ -38,7 +38,7 @@ impl<R, T: Project<R>> Project<R> for Everywhere<T> {
 
     fn row(&self, view: &T::View, y: i32, columns: u32, row: &mut T::Row) {
         // In a row where it can't be seen, it leaves what it was.
-        *row = T::Row::BLANK;
+        *row = T::Row::EMPTY;
         self.0.row(view, y, columns, row);
     }
 
@@ -47,7 +47,7 @@ impl<R, T: Project<R>> Project<R> for Everywhere<T> {
     }
 
     fn enter(row: &mut T::Row, column: u32) -> Outlook {
-        <Self as Project<R>>::outlook(row, column)
+        <Self as Scan<R>>::outlook(row, column)
     }
 
     fn spans_at(
@@ -99,15 +99,15 @@ impl<T, Right> Sub<Right> for Everywhere<T> {
 }
 
 /// A solid, and the row of it that is set.
-struct Staged<'a, T: Project<R>, R> {
+struct Staged<'a, T: Scan<R>, R> {
     solid: &'a T,
     view: T::View,
     row: T::Row,
 }
 
-impl<'a, R, T: Project<R>> Staged<'a, T, R> {
+impl<'a, R, T: Scan<R>> Staged<'a, T, R> {
     fn new(solid: &'a T, rays: &R) -> Self {
-        let mut staged = Self { solid, view: T::View::BLANK, row: T::Row::BLANK };
+        let mut staged = Self { solid, view: T::View::EMPTY, row: T::Row::EMPTY };
         solid.view(rays, &mut staged.view);
         staged
     }
@@ -118,7 +118,7 @@ impl<'a, R, T: Project<R>> Staged<'a, T, R> {
 }
 
 /// A row of a solid, the ways to enter it, and the row of the same solid that lists everything.
-struct Walker<'a, T: Project<R>, W: Project<R>, R> {
+struct Walker<'a, T: Scan<R>, W: Scan<R>, R> {
     walked: Staged<'a, T, R>,
     listed: Staged<'a, W, R>,
     columns: u32,
@@ -128,8 +128,8 @@ impl<S, T, W, R> Walker<'_, T, W, R>
 where
     S: Tested,
     R: Rays<Scalar = S>,
-    T: Project<R, Scalar = S>,
-    W: Project<R, Scalar = S>,
+    T: Scan<R, Scalar = S>,
+    W: Scan<R, Scalar = S>,
 {
     /// Enters each run once and asks in all of its columns; then each column on its own, from the last one
     /// to the first, and every third one. Returns the number of crossings.
@@ -191,8 +191,8 @@ fn check_walks<S, T, W, R>(
 where
     S: Tested,
     R: Rays<Scalar = S>,
-    T: Project<R, Scalar = S>,
-    W: Project<R, Scalar = S>,
+    T: Scan<R, Scalar = S>,
+    W: Scan<R, Scalar = S>,
 {
     let columns = rays.columns();
     let (walked, listed) = (Staged::new(solid, rays), Staged::new(all, rays));
@@ -222,8 +222,8 @@ impl Views {
     fn check<S, T, W>(&self, solid: &T, all: &W) -> Result<u32, TestCaseError>
     where
         S: Tested,
-        T: Project<Parallel<S>, Scalar = S> + Project<Pencil<S>, Scalar = S>,
-        W: Project<Parallel<S>, Scalar = S> + Project<Pencil<S>, Scalar = S>,
+        T: Scan<OrthographicRays<S>, Scalar = S> + Scan<PerspectiveRays<S>, Scalar = S>,
+        W: Scan<OrthographicRays<S>, Scalar = S> + Scan<PerspectiveRays<S>, Scalar = S>,
     {
         let height = self.size.height();
         let mut crossings = 0;

@@ -5,10 +5,10 @@ use crate::host::image::write_png;
 use crate::host::receive::{Ending, Frame, Session, Traffic};
 use crate::host::terminal::Display;
 use crate::scene::{Scene, Tee};
-use scancsg::geom::Parallel;
+use scancsg::geom::OrthographicRays;
 use scancsg::render::{Gray8, Lambert, Picture, Size};
 use scancsg::scalar::I16F16;
-use scancsg::solid::Project;
+use scancsg::solid::Scan;
 use std::io::Read;
 use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
@@ -208,7 +208,7 @@ pub fn stream(board: Board, number: Number, elf: &Path) -> Result<Outcome, Strin
 /// The frame of the example `stream`, rendered here.
 fn on_host<S: Scene>(size: Size) -> Result<Vec<u8>, String>
 where
-    Tee<S>: Project<Parallel<S>, Scalar = S>,
+    Tee<S>: Scan<OrthographicRays<S>, Scalar = S>,
 {
     let text = |error: &dyn std::fmt::Display| error.to_string();
     let camera = S::orthographic().map_err(|error| text(&error))?;

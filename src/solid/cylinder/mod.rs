@@ -11,7 +11,7 @@ use super::leaf::leaf;
 use super::slab::{Slab, SlabError};
 use super::{Shape, Solid};
 use crate::geom::{Direction, Line, Vec3};
-use crate::scalar::{Check, FixedI32, Fraction, Real, Scalar, Stretch};
+use crate::scalar::{ConstOps, FixedI32, Fraction, Real, Scalar, Stretch};
 use crate::span::{Crossing, Face, Span, SpanStack};
 
 /// A solid cylinder with flat caps: the infinite cylinder, cut by a slab.
@@ -33,9 +33,9 @@ pub struct Cylinder<S: Scalar> {
 pub enum CylinderError {
     /// A coordinate or the radius is infinite or NaN.
     NotFinite,
-    /// The radius is zero, negative, or not between [`Scalar::FINEST`] and [`Scalar::REACH`].
+    /// The radius is zero, negative, or not between [`Scalar::MIN_RADIUS`] and [`Scalar::MAX_COORDINATE`].
     Radius,
-    /// A coordinate is larger than [`Scalar::REACH`].
+    /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
     TooFar,
     /// The lower end is not below the upper end, or the end points coincide.
     Empty,
@@ -69,7 +69,7 @@ macro_rules! constructors {
                 x_max: $Scalar,
             ) -> Result<Self, CylinderError> {
                 let axis = Direction::<$Scalar>::X;
-                Self::around(Vec3::new(Check::<$Scalar>::ZERO, y, z), axis, radius, x_min, x_max)
+                Self::around(Vec3::new(ConstOps::<$Scalar>::ZERO, y, z), axis, radius, x_min, x_max)
             }
 
             /// A cylinder along the y axis, around the line at (`x`, `z`), from `y_min` to
@@ -85,7 +85,7 @@ macro_rules! constructors {
                 y_max: $Scalar,
             ) -> Result<Self, CylinderError> {
                 let axis = Direction::<$Scalar>::Y;
-                Self::around(Vec3::new(x, Check::<$Scalar>::ZERO, z), axis, radius, y_min, y_max)
+                Self::around(Vec3::new(x, ConstOps::<$Scalar>::ZERO, z), axis, radius, y_min, y_max)
             }
 
             /// A cylinder along the z axis, around the line at (`x`, `y`), from `z_min` to
@@ -101,7 +101,7 @@ macro_rules! constructors {
                 z_max: $Scalar,
             ) -> Result<Self, CylinderError> {
                 let axis = Direction::<$Scalar>::Z;
-                Self::around(Vec3::new(x, y, Check::<$Scalar>::ZERO), axis, radius, z_min, z_max)
+                Self::around(Vec3::new(x, y, ConstOps::<$Scalar>::ZERO), axis, radius, z_min, z_max)
             }
 
             /// A cylinder from the middle of one cap to the middle of the other.
@@ -124,7 +124,7 @@ macro_rules! constructors {
                 if !(from.is_within_reach() && to.is_within_reach()) {
                     return Err(CylinderError::TooFar);
                 }
-                match Check::<$Scalar>::stretch([from.x, from.y, from.z], [to.x, to.y, to.z]) {
+                match ConstOps::<$Scalar>::stretch([from.x, from.y, from.z], [to.x, to.y, to.z]) {
                     Some(Stretch { direction, low, high }) => {
                         let axis = Direction::<$Scalar>::new(direction);
                         Self::around(from, axis, radius, low, high)
@@ -140,10 +140,10 @@ macro_rules! constructors {
                 low: $Scalar,
                 high: $Scalar,
             ) -> Result<Self, CylinderError> {
-                if !base.has_finite_coordinates() || !Check::<$Scalar>::is_finite(radius) {
+                if !base.has_finite_coordinates() || !ConstOps::<$Scalar>::is_finite(radius) {
                     return Err(CylinderError::NotFinite);
                 }
-                if !Check::<$Scalar>::is_radius(radius) {
+                if !ConstOps::<$Scalar>::is_radius(radius) {
                     return Err(CylinderError::Radius);
                 }
                 if !base.is_within_reach() {
@@ -151,7 +151,7 @@ macro_rules! constructors {
                 }
                 match Slab::<$Scalar>::between(axis, low, high) {
                     Ok(caps) => {
-                        let curvature = Check::<$Scalar>::inverse(radius);
+                        let curvature = ConstOps::<$Scalar>::inverse(radius);
                         Ok(Self { tube: Tube { base, radius, curvature }, caps })
                     }
                     Err(SlabError::NotFinite) => Err(CylinderError::NotFinite),
@@ -200,7 +200,7 @@ impl<S: Intersect> Solid for Cylinder<S> {
 
     // In its place, the point stays in registers: a tenth of a picture's time. On ARMv6-M,
     // which has few of them, that saves 3 of 100 instructions, and costs 800 bytes.
-    // An attribute can't read `words::IS_NARROW`: this is its condition.
+    // An attribute can't read `armv6m::IS_NARROW`: this is its condition.
     #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline(always))]
     fn cosine(&self, face: Face, at: impl FnOnce() -> Vec3<S>, to: Vec3<S>) -> S {
         if face == WALL {
@@ -239,15 +239,15 @@ fn set_common<S: Scalar>(
 
 impl<S: Scalar> Cylinder<S> {
     /// A ball that holds the whole cylinder.
-    fn bounding_ball(&self) -> (Vec3<S::Fine>, S::Fine) {
-        let half = S::Fine::HALF;
-        let (low, high) = (self.caps.low.fine(), self.caps.high.fine());
-        let (base, radius) = (self.tube.base.fine(), self.tube.radius.fine());
+    fn bounding_ball(&self) -> (Vec3<S::Wide>, S::Wide) {
+        let half = S::Wide::HALF;
+        let (low, high) = (self.caps.low.wide(), self.caps.high.wide());
+        let (base, radius) = (self.tube.base.wide(), self.tube.radius.wide());
         let axis = &self.caps.normal;
-        let middle = (low + high) * half - axis.dot_fine(base);
+        let middle = (low + high) * half - axis.dot_wide(base);
         let half_length = (high - low) * half;
         let square = radius * radius + half_length * half_length;
-        (base + axis.fine() * middle, square.sqrt())
+        (base + axis.wide() * middle, square.sqrt())
     }
 }
 

@@ -5,33 +5,33 @@
 //! `middle ± √(r² − κ²) · stretch`, with an affine middle and `stretch` = 1/|d × axis|.
 
 use super::{Cylinder, frame, set_common, wall_span};
-use crate::geom::{Affine, Extent, Parallel};
+use crate::geom::{Affine, Extent, OrthographicRays};
 use crate::scalar::{Number, Real, Scalar};
 use crate::solid::leaf::Leaf;
-use crate::solid::row::Blank;
+use crate::solid::row::Empty;
 use crate::solid::slab::{self, EdgeOn, Ends};
 use crate::solid::strip::{Rows, Steps};
 use crate::span::Span;
 
-impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
-    type View = ParallelView<S>;
-    type Row = ParallelRow<S>;
+impl<S: Scalar> Leaf<OrthographicRays<S>> for Cylinder<S> {
+    type View = OrthographicView<S>;
+    type Row = OrthographicRow<S>;
 
-    fn seen_along(&self, rays: &Parallel<S>) -> ParallelView<S> {
-        let axis = self.caps.normal.fine();
+    fn seen_along(&self, rays: &OrthographicRays<S>) -> OrthographicView<S> {
+        let axis = self.caps.normal.wide();
         let m = rays.forward.cross(axis);
-        let steps = rays.steps(self.tube.base.fine());
+        let steps = rays.steps(self.tube.base.wide());
         let moments = steps.map(|step| step.cross(axis));
         let (caps, rows) = (self.caps.seen_along(rays), self.rows(rays));
         let high_first = caps.high_first();
         // An angle too small to divide by hardly moves a ray within the length of a scene.
         let across = m.max_abs().is_divisor().then(|| m.normalized()).flatten();
         if let Some(n) = across {
-            let exact = S::Fine::ONE / m.dot(n);
-            let stretch = S::factor(exact);
+            let exact = S::Wide::ONE / m.dot(n);
+            let stretch = S::scale(exact);
             // The root of a square need not be what was squared.
             let reach = S::leg(self.tube.radius, S::ZERO).unwrap_or(self.tube.radius);
-            ParallelView {
+            OrthographicView {
                 first: steps.map(|step| step.dot_compensated(n)),
                 second: moments.map(|moment| -moment.dot_compensated(n) * exact),
                 stretch,
@@ -43,49 +43,49 @@ impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
             }
         } else {
             let [side, other] = frame(axis);
-            ParallelView {
+            OrthographicView {
                 first: moments.map(|moment| moment.dot(side)),
                 second: moments.map(|moment| moment.dot(other)),
                 caps,
                 rows,
                 high_first,
                 is_along: true,
-                ..ParallelView::BLANK
+                ..OrthographicView::EMPTY
             }
         }
     }
 
     #[inline]
-    fn is_in_rows(&self, view: &ParallelView<S>, rows: [i32; 2]) -> bool {
+    fn is_in_rows(&self, view: &OrthographicView<S>, rows: [i32; 2]) -> bool {
         view.rows.meet(rows)
     }
 
     #[inline(never)]
     fn in_row(
         &self,
-        view: &ParallelView<S>,
+        view: &OrthographicView<S>,
         y: i32,
         columns: u32,
-        row: &mut ParallelRow<S>,
+        row: &mut OrthographicRow<S>,
     ) -> Extent {
         let [first, second] = [view.first, view.second].map(|of| Affine::row(of, y));
-        let beside = |length| Steps::within::<S>(length, self.tube.radius.fine());
+        let beside = |length| Steps::within::<S>(length, self.tube.radius.wide());
         let within_wall = beside(first);
         (row.first, row.second) = (first.middle, second.middle);
         row.kind = Kind::Nowhere;
         if within_wall.are_beside(columns) {
             return Extent::EMPTY;
         }
-        let steps = match (view.is_along, self.caps.parallel_row(&view.caps, y, columns)) {
-            (false, slab::ParallelRow::Across(caps)) => {
+        let steps = match (view.is_along, self.caps.orthographic_row(&view.caps, y, columns)) {
+            (false, slab::OrthographicRow::Across(caps)) => {
                 row.kind = Kind::Across(caps);
                 caps.steps(&view.caps, second, view.reach, columns)
             }
-            (false, slab::ParallelRow::EdgeOn(caps)) => {
+            (false, slab::OrthographicRow::EdgeOn(caps)) => {
                 row.kind = Kind::EdgeOn(caps);
                 self.caps.edge_on_steps(&caps)
             }
-            (true, slab::ParallelRow::Across(caps)) => {
+            (true, slab::OrthographicRow::Across(caps)) => {
                 row.kind = Kind::Along(caps);
                 beside(second)
             }
@@ -95,14 +95,25 @@ impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
         steps.overlap(within_wall).columns(columns)
     }
 
-    fn span(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32) -> Option<Span<S>> {
+    fn span(
+        &self,
+        view: &OrthographicView<S>,
+        row: &OrthographicRow<S>,
+        x: i32,
+    ) -> Option<Span<S>> {
         let mut span = Span::NOWHERE;
-        Leaf::<Parallel<S>>::set_span(self, view, row, x, &mut span);
+        Leaf::<OrthographicRays<S>>::set_span(self, view, row, x, &mut span);
         span.checked()
     }
 
     #[inline(always)]
-    fn set_span(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32, span: &mut Span<S>) {
+    fn set_span(
+        &self,
+        view: &OrthographicView<S>,
+        row: &OrthographicRow<S>,
+        x: i32,
+        span: &mut Span<S>,
+    ) {
         let Kind::Across(caps) = &row.kind else {
             *span = self.rare_span(view, row, x).unwrap_or(Span::NOWHERE);
             return;
@@ -116,11 +127,11 @@ impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
     }
 
     #[inline(always)]
-    fn may_hold(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32, t: S) -> bool {
+    fn may_hold(&self, view: &OrthographicView<S>, row: &OrthographicRow<S>, x: i32, t: S) -> bool {
         let Kind::Across(_) = row.kind else { return true };
         let [_, along, _] = view.second;
         let middle = row.second.after_steps(along, x);
-        let [low, high] = middle.around(view.reach).map(S::from_fine);
+        let [low, high] = middle.around(view.reach).map(S::from_wide);
         // Both together: one branch is predicted more often than two.
         (low <= t) & (t < high)
     }
@@ -128,18 +139,18 @@ impl<S: Scalar> Leaf<Parallel<S>> for Cylinder<S> {
 
 impl<S: Scalar> Cylinder<S> {
     /// The rows between the lowest and the highest point of balls around the middles of the caps.
-    fn rows(&self, rays: &Parallel<S>) -> Rows {
+    fn rows(&self, rays: &OrthographicRays<S>) -> Rows {
         let axis = &self.caps.normal;
-        let base = self.tube.base.fine();
-        let ends = [self.caps.low.fine(), self.caps.high.fine()];
-        let along = axis.dot_fine(base);
-        let slope = axis.dot_fine(rays.down);
+        let base = self.tube.base.wide();
+        let ends = [self.caps.low.wide(), self.caps.high.wide()];
+        let along = axis.dot_wide(base);
+        let slope = axis.dot_wide(rays.down);
         let from_center = base - rays.center;
         let across = from_center.dot_compensated(rays.down);
         let [low_end, high_end] = ends.map(|offset| across + slope * (offset - along));
-        let radius = self.tube.radius.fine();
+        let radius = self.tube.radius.wide();
         let (low, high) = (low_end.min(high_end) - radius, low_end.max(high_end) + radius);
-        let from_middle = Affine { middle: S::Fine::ZERO, step: rays.pitch };
+        let from_middle = Affine { middle: S::Wide::ZERO, step: rays.half_pixel };
         let size = from_center.max_abs() + along.abs() + ends[0].abs() + ends[1].abs() + radius;
         // Three coordinates, each of which is as large as that.
         let size = size + size + size;
@@ -148,17 +159,27 @@ impl<S: Scalar> Cylinder<S> {
 
     /// Where rays across the axis meet the wall.
     #[inline(always)]
-    fn chord(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32) -> Option<[S; 2]> {
+    fn chord(
+        &self,
+        view: &OrthographicView<S>,
+        row: &OrthographicRow<S>,
+        x: i32,
+    ) -> Option<[S; 2]> {
         let ([_, right, _], [_, along, _]) = (view.first, view.second);
-        let distance = S::from_fine(row.first.after_steps(right, x));
+        let distance = S::from_wide(row.first.after_steps(right, x));
         let half = S::leg(self.tube.radius, distance)?.stretched(view.stretch);
         let middle = row.second.after_steps(along, x);
-        Some(middle.around(half).map(S::from_fine))
+        Some(middle.around(half).map(S::from_wide))
     }
 
     /// Of rays along the axis, or along the caps.
     #[inline(never)]
-    fn rare_span(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32) -> Option<Span<S>> {
+    fn rare_span(
+        &self,
+        view: &OrthographicView<S>,
+        row: &OrthographicRow<S>,
+        x: i32,
+    ) -> Option<Span<S>> {
         match &row.kind {
             Kind::EdgeOn(caps) => {
                 let [enter, exit] = self.chord(view, row, x)?;
@@ -167,7 +188,7 @@ impl<S: Scalar> Cylinder<S> {
             Kind::Along(caps) => {
                 let ([_, step, _], [_, other, _]) = (view.first, view.second);
                 let across = [(row.first, step), (row.second, other)]
-                    .map(|(middle, step)| S::from_fine(middle.after_steps(step, x)));
+                    .map(|(middle, step)| S::from_wide(middle.after_steps(step, x)));
                 let is_inside = S::length([across[0], across[1], S::ZERO]) < self.tube.radius;
                 caps.span(&view.caps, x).filter(|_| is_inside)
             }
@@ -179,29 +200,29 @@ impl<S: Scalar> Cylinder<S> {
 /// A cylinder, seen along parallel rays: values in the middle of the picture, and their steps to
 /// the right and down.
 #[derive(Debug, Clone, Copy)]
-pub struct ParallelView<S: Scalar> {
+pub struct OrthographicView<S: Scalar> {
     /// κ; or, where the camera looks along the axis, a coordinate of the ray's place across it.
-    first: [S::Fine; 3],
+    first: [S::Wide; 3],
     /// The middle of the chord; or the other coordinate.
-    second: [S::Fine; 3],
-    stretch: S::Factor,
+    second: [S::Wide; 3],
+    stretch: S::Scale,
     /// The longest half-chord.
-    reach: S::Fine,
-    caps: slab::ParallelView<S>,
+    reach: S::Wide,
+    caps: slab::OrthographicView<S>,
     rows: Rows,
     /// Whether rays meet the high cap before the low one: here, where it takes no room.
     high_first: bool,
     is_along: bool,
 }
 
-impl<S: Scalar> Blank for ParallelView<S> {
-    const BLANK: Self = Self {
-        first: [S::Fine::ZERO; 3],
-        second: [S::Fine::ZERO; 3],
-        stretch: S::NO_FACTOR,
-        reach: S::Fine::ZERO,
-        caps: slab::ParallelView::BLANK,
-        rows: Rows::BLANK,
+impl<S: Scalar> Empty for OrthographicView<S> {
+    const EMPTY: Self = Self {
+        first: [S::Wide::ZERO; 3],
+        second: [S::Wide::ZERO; 3],
+        stretch: S::NO_SCALE,
+        reach: S::Wide::ZERO,
+        caps: slab::OrthographicView::EMPTY,
+        rows: Rows::EMPTY,
         high_first: false,
         is_along: false,
     };
@@ -209,10 +230,10 @@ impl<S: Scalar> Blank for ParallelView<S> {
 
 /// A row of a cylinder, seen along parallel rays: values in the middle of the row.
 #[derive(Debug, Clone, Copy)]
-pub struct ParallelRow<S: Scalar> {
+pub struct OrthographicRow<S: Scalar> {
     /// As in the view.
-    first: S::Fine,
-    second: S::Fine,
+    first: S::Wide,
+    second: S::Wide,
     kind: Kind<S>,
 }
 
@@ -228,6 +249,6 @@ enum Kind<S: Scalar> {
     EdgeOn(EdgeOn<S>),
 }
 
-impl<S: Scalar> Blank for ParallelRow<S> {
-    const BLANK: Self = Self { first: S::Fine::ZERO, second: S::Fine::ZERO, kind: Kind::Nowhere };
+impl<S: Scalar> Empty for OrthographicRow<S> {
+    const EMPTY: Self = Self { first: S::Wide::ZERO, second: S::Wide::ZERO, kind: Kind::Nowhere };
 }

@@ -9,43 +9,43 @@
 //! its point and direction, also where it is nearly parallel to the axis and m is small.
 
 use super::{Cylinder, frame, set_common, wall_span};
-use crate::geom::{Affine, Extent, Pencil, Vec3, shortened};
+use crate::geom::{Affine, Extent, PerspectiveRays, Vec3, shortened};
 use crate::scalar::{Chord, Number, Real, Scalar};
 use crate::solid::intersect::Passage;
 use crate::solid::leaf::Leaf;
-use crate::solid::silhouette::{PencilBall, constant, extent};
+use crate::solid::silhouette::{PerspectiveBall, constant, extent};
 use crate::solid::slab;
 use crate::span::{Face, Span};
 
-impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
-    type View = Option<PencilView<S>>;
-    type Row = Option<PencilRow<S>>;
+impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cylinder<S> {
+    type View = Option<PerspectiveView<S>>;
+    type Row = Option<PerspectiveRow<S>>;
 
-    fn seen_along(&self, rays: &Pencil<S>) -> Self::View {
-        let axis = self.caps.normal.fine();
+    fn seen_along(&self, rays: &PerspectiveRays<S>) -> Self::View {
+        let axis = self.caps.normal.wide();
         let plane = &rays.plane;
-        let convergence = rays.convergence;
-        let [u, right, down] = plane.steps(self.tube.base.fine());
+        let inverse_distance = rays.inverse_distance;
+        let [u, right, down] = plane.steps(self.tube.base.wide());
         let across = frame(axis);
-        let flat = |moment: Vec3<S::Fine>| across.map(|side| side.dot(moment));
+        let flat = |moment: Vec3<S::Wide>| across.map(|side| side.dot(moment));
         let m = plane.forward.cross(axis);
         let [right, down] = [right, down].map(|step| {
             let moment = step.cross(axis);
-            let k = step.dot_compensated(m) + convergence * u.dot_compensated(moment);
+            let k = step.dot_compensated(m) + inverse_distance * u.dot_compensated(moment);
             (flat(moment), k)
         });
         let at_eye = u.cross(axis) - m * rays.distance;
-        let radius = self.tube.radius.fine();
+        let radius = self.tube.radius.wide();
         let (center, ball_radius) = self.bounding_ball();
-        Some(PencilView {
+        Some(PerspectiveView {
             moment: [flat(u.cross(axis)), right.0, down.0],
             turn: flat(m),
             reach: [u.dot_compensated(m), right.1, down.1],
-            blur: ((radius + S::BLUR.fine()) * S::BLUR.fine()).sqrt(),
+            blur: ((radius + S::ROUNDING.wide()) * S::ROUNDING.wide()).sqrt(),
             eye_within: at_eye.length_squared() < radius * radius,
             halvings: rays.halvings,
-            caps: slab::PencilView::new(&self.caps.normal, rays),
-            ball: PencilBall::new(center, ball_radius, rays),
+            caps: slab::PerspectiveView::new(&self.caps.normal, rays),
+            ball: PerspectiveBall::new(center, ball_radius, rays),
         })
     }
 
@@ -61,9 +61,9 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
         let [[q0, q1], [right0, right1], [down0, down1]] = view.moment;
         let [m0, m1] = view.turn;
         let axis = |q, m, right, down| {
-            let offset = Affine::row([S::Fine::ZERO, right, down], y);
-            let turn = offset.times(view.caps.convergence);
-            let plus = |middle: S::Fine, way: Affine<S::Fine>| Affine {
+            let offset = Affine::row([S::Wide::ZERO, right, down], y);
+            let turn = offset.times(view.caps.inverse_distance);
+            let plus = |middle: S::Wide, way: Affine<S::Wide>| Affine {
                 middle: middle + way.middle,
                 ..way
             };
@@ -71,19 +71,19 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
         };
         let ((q0, m0), (q1, m1)) = (axis(q0, m0, right0, down0), axis(q1, m1, right1, down1));
         let reach = Affine::row(view.reach, y);
-        // r|m| ≥ |k| with k off by `BLUR`, however small m is: (r + b)²m² + (r + b)b ≥ (r|m| + b)².
-        let radius = self.tube.radius.plus(S::BLUR).fine();
+        // r|m| ≥ |k| with k off by `ROUNDING`, however small m is: (r + b)²m² + (r + b)b ≥ (r|m| + b)².
+        let radius = self.tube.radius.plus(S::ROUNDING).wide();
         let wide = [m0.times(radius), m1.times(radius), constant(view.blur)];
         let silhouette = extent(&wide, &[reach], columns);
-        let caps = slab::PencilRow::new(&view.caps, y);
+        let caps = slab::PerspectiveRow::new(&view.caps, y);
         let turn = shortened([m0, m1], view.halvings);
-        *row = Some(PencilRow { moment: [q0, q1], turn, caps });
+        *row = Some(PerspectiveRow { moment: [q0, q1], turn, caps });
         silhouette.overlap(view.ball.extent(y, columns))
     }
 
     fn span(&self, view: &Self::View, row: &Self::Row, x: i32) -> Option<Span<S>> {
         let mut span = Span::NOWHERE;
-        Leaf::<Pencil<S>>::set_span(self, view, row, x, &mut span);
+        Leaf::<PerspectiveRays<S>>::set_span(self, view, row, x, &mut span);
         span.checked()
     }
 
@@ -91,16 +91,16 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
     fn set_span(&self, view: &Self::View, row: &Self::Row, x: i32, span: &mut Span<S>) {
         *span = Span::NOWHERE;
         let (Some(view), Some(row)) = (view, row) else { return };
-        let q = row.moment.map(|part| S::from_fine(part.at(x)));
+        let q = row.moment.map(|part| S::from_wide(part.at(x)));
         let m = row.turn.map(|part| S::unit(part.at(x)));
         let chord = match S::chord(self.tube.radius, [S::moment(q, m)], q, m) {
             Chord::Between(enter, exit) => {
-                [enter, exit].map(|t| Pencil::along_whole(t, view.halvings))
+                [enter, exit].map(|t| PerspectiveRays::along_whole(t, view.halvings))
             }
             Chord::Along if view.eye_within => [S::LOWEST, S::HIGHEST],
             Chord::Along | Chord::Beside => return,
         };
-        match self.caps.pencil_passage(&row.caps, x) {
+        match self.caps.perspective_passage(&row.caps, x) {
             Passage::Across { at: [low, high], upwards: true } => {
                 set_common(span, chord, [low, high], [Face(0), Face(1)]);
             }
@@ -118,28 +118,28 @@ impl<S: Scalar> Leaf<Pencil<S>> for Cylinder<S> {
 
 /// A cylinder, seen from an eye: values in the middle of the picture and their steps.
 #[derive(Debug, Clone, Copy)]
-pub struct PencilView<S: Scalar> {
+pub struct PerspectiveView<S: Scalar> {
     /// q.
-    moment: [[S::Fine; 2]; 3],
+    moment: [[S::Wide; 2]; 3],
     /// m in the middle; its steps are those of q times the convergence.
-    turn: [S::Fine; 2],
+    turn: [S::Wide; 2],
     /// k.
-    reach: [S::Fine; 3],
-    /// √((r + b)b), where b is [`Scalar::BLUR`].
-    blur: S::Fine,
+    reach: [S::Wide; 3],
+    /// √((r + b)b), where b is [`Scalar::ROUNDING`].
+    blur: S::Wide,
     /// Whether the eye lies inside the infinite cylinder, and with it any ray along the axis.
     eye_within: bool,
     /// How often directions are halved.
     halvings: u8,
-    caps: slab::PencilView<S>,
-    ball: PencilBall<S>,
+    caps: slab::PerspectiveView<S>,
+    ball: PerspectiveBall<S>,
 }
 
 /// A row of a cylinder, seen from an eye.
 #[derive(Debug, Clone, Copy)]
-pub struct PencilRow<S: Scalar> {
+pub struct PerspectiveRow<S: Scalar> {
     /// Two coordinates of q, and of m, halved as directions are.
-    moment: [Affine<S::Fine>; 2],
-    turn: [Affine<S::Fine>; 2],
-    caps: slab::PencilRow<S>,
+    moment: [Affine<S::Wide>; 2],
+    turn: [Affine<S::Wide>; 2],
+    caps: slab::PerspectiveRow<S>,
 }

@@ -11,7 +11,7 @@ pub struct Tube<S: Scalar> {
     pub(in crate::solid) base: Vec3<S>,
     pub(in crate::solid) radius: S,
     /// 1/radius.
-    pub(in crate::solid) curvature: S::Factor,
+    pub(in crate::solid) curvature: S::Scale,
 }
 
 impl<S: Scalar> Tube<S> {

@@ -1,6 +1,6 @@
 //! The rows of a group's elements, and which of them matter.
 
-use crate::solid::row::{Blank, Outlook, Project};
+use crate::solid::row::{Empty, Outlook, Scan};
 
 /// The rows of a group, and which of them matter; `M` is an array of [`Member`]s, or a slice: what
 /// isn't done for every pixel is compiled once for all lengths.
@@ -37,13 +37,13 @@ const MIDDLE: i32 = 1 << 14;
 /// No element has this index.
 pub(super) const NONE: u16 = u16::MAX;
 
-impl<R: Blank> Blank for Member<R> {
-    const BLANK: Self = Self { row: R::BLANK, until: 0, next: 0, near: 0 };
+impl<R: Empty> Empty for Member<R> {
+    const EMPTY: Self = Self { row: R::EMPTY, until: 0, next: 0, near: 0 };
 }
 
-impl<R: Blank, const N: usize> Blank for GroupRow<[Member<R>; N]> {
-    const BLANK: Self =
-        Self { run: [0; 2], first: 0, coming: 0, block: 0, near: 0, members: [Member::BLANK; N] };
+impl<R: Empty, const N: usize> Empty for GroupRow<[Member<R>; N]> {
+    const EMPTY: Self =
+        Self { run: [0; 2], first: 0, coming: 0, block: 0, near: 0, members: [Member::EMPTY; N] };
 }
 
 impl<R, const N: usize> GroupRow<[Member<R>; N]> {
@@ -60,7 +60,7 @@ impl<R, const N: usize> GroupRow<[Member<R>; N]> {
 
 /// Gets all elements ready for a picture.
 #[inline(never)]
-pub(in crate::solid) fn view_each<P, T: Project<P>>(solids: &[T], rays: &P, views: &mut [T::View]) {
+pub(in crate::solid) fn view_each<P, T: Scan<P>>(solids: &[T], rays: &P, views: &mut [T::View]) {
     for (solid, view) in solids.iter().zip(views) {
         solid.view(rays, view);
     }
@@ -68,7 +68,7 @@ pub(in crate::solid) fn view_each<P, T: Project<P>>(solids: &[T], rays: &P, view
 
 impl<R> GroupRow<[Member<R>]> {
     #[inline(never)]
-    pub(in crate::solid) fn set<P, T: Project<P, Row = R>>(
+    pub(in crate::solid) fn set<P, T: Scan<P, Row = R>>(
         &mut self,
         solids: &[T],
         views: &[T::View],
@@ -98,12 +98,7 @@ impl<R> GroupRow<[Member<R>]> {
 
     /// Lists the elements that may be seen in a block of rows.
     #[inline(never)] // seldom
-    fn look_around<P, T: Project<P, Row = R>>(
-        &mut self,
-        solids: &[T],
-        views: &[T::View],
-        block: i32,
-    ) {
+    fn look_around<P, T: Scan<P, Row = R>>(&mut self, solids: &[T], views: &[T::View], block: i32) {
         let first = block << (ROWS + 1);
         let rows = [first, first + (2 << ROWS) - 1];
         self.near = 0;
@@ -131,7 +126,7 @@ impl<R> GroupRow<[Member<R>]> {
     }
 
     #[inline(never)]
-    pub(in crate::solid) fn outlook<P, T: Project<P, Row = R>>(&self, column: u32) -> Outlook {
+    pub(in crate::solid) fn outlook<P, T: Scan<P, Row = R>>(&self, column: u32) -> Outlook {
         let mut all = Outlook::EMPTY;
         for (_, row) in (0..self.near.into()).map_while(|place| self.near(place)) {
             let one = T::outlook(row, column);
@@ -142,7 +137,7 @@ impl<R> GroupRow<[Member<R>]> {
     }
 
     #[inline(never)] // once a run
-    pub(in crate::solid) fn enter<P, T: Project<P, Row = R>>(&mut self, column: u32) -> Outlook {
+    pub(in crate::solid) fn enter<P, T: Scan<P, Row = R>>(&mut self, column: u32) -> Outlook {
         let [from, until] = self.run.map(u32::from);
         if column < from {
             self.go_back::<P, T>();
@@ -162,7 +157,7 @@ impl<R> GroupRow<[Member<R>]> {
 
     /// Before the first column.
     #[cold]
-    fn go_back<P, T: Project<P, Row = R>>(&mut self) {
+    fn go_back<P, T: Scan<P, Row = R>>(&mut self) {
         self.clear();
         for place in 0..self.near.into() {
             if let Some((index, row)) = self.near(place) {
@@ -200,7 +195,7 @@ impl<R> GroupRow<[Member<R>]> {
     /// Enters a run to the right, where only the elements of the last one and the first of those to
     /// come can be others.
     #[inline(always)]
-    fn go_on<P, T: Project<P, Row = R>>(&mut self, now: u32) {
+    fn go_on<P, T: Scan<P, Row = R>>(&mut self, now: u32) {
         let mut run_until = u16::MAX;
         let (mut index, mut last) = (self.first, NONE);
         while let Some(member) = self.members.get_mut(usize::from(index)) {
@@ -295,12 +290,12 @@ mod tests {
     #[derive(Debug, Clone, Copy)]
     struct BarRow([Extent; 2]);
 
-    impl Blank for Anywhere {
-        const BLANK: Self = Self;
+    impl Empty for Anywhere {
+        const EMPTY: Self = Self;
     }
 
-    impl Blank for BarRow {
-        const BLANK: Self = Self([Extent::EMPTY; 2]);
+    impl Empty for BarRow {
+        const EMPTY: Self = Self([Extent::EMPTY; 2]);
     }
 
     impl Bar {
@@ -317,7 +312,7 @@ mod tests {
         const FACES: u16 = 0;
     }
 
-    impl Project<()> for Bar {
+    impl Scan<()> for Bar {
         type View = Anywhere;
         type Row = BarRow;
 
@@ -377,7 +372,7 @@ mod tests {
             rows in prop::collection::vec((-50..50i32, prop::collection::vec(0..56u32, 1..30)), 1..12),
             is_in_order: bool,
         ) {
-            let mut group = GroupRow::<[Member<BarRow>; 9]>::BLANK;
+            let mut group = GroupRow::<[Member<BarRow>; 9]>::EMPTY;
             let group = group.as_slice_mut();
             for (y, mut columns) in rows {
                 if is_in_order {

@@ -93,10 +93,10 @@ impl<T: Solid, const N: usize> Solid for [T; N] {
     }
 }
 
-/// [`Project`] for what has up to `N` elements of one kind: those that `items` gives.
+/// [`Scan`] for what has up to `N` elements of one kind: those that `items` gives.
 macro_rules! project_as_group {
     ($Group:ty, $items:ident) => {
-        impl<P, T: $crate::solid::Project<P>, const N: usize> $crate::solid::Project<P> for $Group {
+        impl<P, T: $crate::solid::Scan<P>, const N: usize> $crate::solid::Scan<P> for $Group {
             type View = [T::View; N];
             type Row = $crate::solid::group::GroupRow<[$crate::solid::group::Member<T::Row>; N]>;
 

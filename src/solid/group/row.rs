@@ -5,11 +5,11 @@ use super::unite;
 use crate::geom::Column;
 use crate::scalar::Scalar;
 use crate::solid::boolean::spans_inside;
-use crate::solid::row::{Look, Project};
+use crate::solid::row::{Look, Scan};
 use crate::span::{Crossing, Face, SpanStack};
 
 impl<R> GroupRow<[Member<R>]> {
-    pub(in crate::solid) fn spans<P, T: Project<P, Row = R>>(
+    pub(in crate::solid) fn spans<P, T: Scan<P, Row = R>>(
         &self,
         solids: &[T],
         views: &[T::View],
@@ -29,7 +29,7 @@ impl<R> GroupRow<[Member<R>]> {
     /// Calls `ask` with every element that matters in the present run of columns, and its index,
     /// until it says that this is enough.
     #[inline(always)]
-    fn ask_each<P, T: Project<P, Row = R>>(
+    fn ask_each<P, T: Scan<P, Row = R>>(
         &mut self,
         solids: &[T],
         views: &[T::View],
@@ -49,7 +49,7 @@ impl<R> GroupRow<[Member<R>]> {
     }
 
     #[inline(always)]
-    pub(in crate::solid) fn holds<P, T: Project<P, Row = R>>(
+    pub(in crate::solid) fn holds<P, T: Scan<P, Row = R>>(
         &mut self,
         solids: &[T],
         views: &[T::View],
@@ -60,7 +60,7 @@ impl<R> GroupRow<[Member<R>]> {
     }
 
     #[inline(never)]
-    pub(in crate::solid) fn holds_apart<P, T: Project<P, Row = R>>(
+    pub(in crate::solid) fn holds_apart<P, T: Scan<P, Row = R>>(
         &mut self,
         solids: &[T],
         views: &[T::View],
@@ -73,7 +73,7 @@ impl<R> GroupRow<[Member<R>]> {
     }
 
     #[inline(always)]
-    pub(in crate::solid) fn look<P, T: Project<P, Row = R>>(
+    pub(in crate::solid) fn look<P, T: Scan<P, Row = R>>(
         &mut self,
         solids: &[T],
         views: &[T::View],
@@ -93,7 +93,7 @@ impl<R> GroupRow<[Member<R>]> {
     }
 
     #[inline(never)]
-    pub(in crate::solid) fn look_apart<P, T: Project<P, Row = R>>(
+    pub(in crate::solid) fn look_apart<P, T: Scan<P, Row = R>>(
         &mut self,
         solids: &[T],
         views: &[T::View],
@@ -110,7 +110,7 @@ impl<R> GroupRow<[Member<R>]> {
 
     /// Whether a ray is inside of any element, and the first crossing of one.
     #[inline(never)]
-    fn look_at_each<P, T: Project<P, Row = R>>(
+    fn look_at_each<P, T: Scan<P, Row = R>>(
         &mut self,
         solids: &[T],
         views: &[T::View],
@@ -127,7 +127,7 @@ impl<R> GroupRow<[Member<R>]> {
 
     /// The first crossing from `next` on behind which a ray is outside of all elements.
     #[inline(never)]
-    fn exit<P, T: Project<P, Row = R>>(
+    fn exit<P, T: Scan<P, Row = R>>(
         &mut self,
         solids: &[T],
         views: &[T::View],

@@ -11,10 +11,10 @@
 //! and with parameters of 32 bits and a half `a t²` is at most 2¹²⁶. An oblique axis has 28 bits
 //! more, and needs 256 bits.
 
-use super::quadratic::{Quadratic, Root, Wide};
+use super::quadratic::{Integer, Quadratic, Root};
 use super::{Intersect, Meeting, Passage};
 use crate::geom::{Direction, Line, Vec3};
-use crate::scalar::{FixedI32, Fraction, whole};
+use crate::scalar::{FixedI32, Fraction, integer};
 use crate::solid::cylinder::{Cylinder, Tube, WALL, wall_span};
 use crate::solid::slab::Slab;
 use crate::span::{Crossing, Span};
@@ -131,7 +131,7 @@ impl Section {
 }
 
 /// Where the line crosses the wall, each parameter rounded.
-fn meeting<F: Fraction, W: Wide>(quadratic: &Quadratic<W>) -> Meeting<FixedI32<F>> {
+fn meeting<F: Fraction, W: Integer>(quadratic: &Quadratic<W>) -> Meeting<FixedI32<F>> {
     let zero = W::from(0);
     if quadratic.a == zero {
         return if quadratic.c < zero { Meeting::Within } else { Meeting::Along };
@@ -168,7 +168,7 @@ impl Planes {
     /// Where the line crosses the planes: the low one and the high one, each rounded.
     fn crossings<F: Fraction>(&self) -> [FixedI32<F>; 2] {
         self.heights.map(|height| {
-            let t = whole::divide(i128::from(height) << F::BITS, self.speed.into());
+            let t = integer::divide(i128::from(height) << F::BITS, self.speed.into());
             FixedI32::from_bits(t.clamp(i32::MIN.into(), i32::MAX.into()) as i32)
         })
     }
@@ -189,7 +189,7 @@ impl Planes {
 }
 
 /// Whether the line is inside the quadratic and between the planes for some time.
-fn overlap<W: Wide>(quadratic: &Quadratic<W>, planes: &Planes) -> bool {
+fn overlap<W: Integer>(quadratic: &Quadratic<W>, planes: &Planes) -> bool {
     let [first, last, speed] = planes.fractions();
     if quadratic.is_inside(first, speed) || quadratic.is_inside(last, speed) {
         return true;
@@ -204,7 +204,7 @@ fn overlap<W: Wide>(quadratic: &Quadratic<W>, planes: &Planes) -> bool {
 }
 
 /// Which of the two points of the wall are between the planes, or on one.
-fn between<W: Wide>(quadratic: &Quadratic<W>, planes: &Planes) -> [bool; 2] {
+fn between<W: Integer>(quadratic: &Quadratic<W>, planes: &Planes) -> [bool; 2] {
     if planes.speed == 0 {
         let [low, high] = planes.heights;
         return [low <= 0 && 0 <= high; 2];

@@ -244,7 +244,7 @@ mod tests {
             let [axis, origin, way] =
                 [axis, origin, way].map(|v| v.to_array().map(|x| x as f32));
 
-            let tube = Tube { base: Vec3::from(base), radius: r, curvature: f32::NO_FACTOR };
+            let tube = Tube { base: Vec3::from(base), radius: r, curvature: f32::NO_SCALE };
             let line = Line { origin: Vec3::from(origin), direction: Vec3::from(way) };
             let got = tube.meet_obliquely(&Direction::<f32>::new(axis), &line);
             let axis = vector(axis) * (1.0 / vector(axis).length_squared().sqrt());

@@ -1,12 +1,12 @@
 //! Quadratics with whole coefficients: on which side of a root a fraction lies is known exactly,
 //! which makes correctly rounded roots out of approximate ones.
 
-use crate::scalar::whole;
+use crate::scalar::integer;
 use core::ops::{Add, Mul, Neg, Sub};
 use ethnum::I256;
 
 /// A signed integer wide enough for its use.
-pub(super) trait Wide:
+pub(super) trait Integer:
     Copy
     + Ord
     + From<i128>
@@ -20,14 +20,14 @@ pub(super) trait Wide:
     fn magnitude(self) -> Magnitude;
 }
 
-impl Wide for i128 {
+impl Integer for i128 {
     #[inline]
     fn magnitude(self) -> Magnitude {
         Magnitude::of(self.unsigned_abs())
     }
 }
 
-impl Wide for I256 {
+impl Integer for I256 {
     fn magnitude(self) -> Magnitude {
         let bits = self.unsigned_abs();
         let surplus = 128u32.saturating_sub(bits.leading_zeros());
@@ -113,7 +113,7 @@ pub(super) enum Root {
 /// Binary digits that approximate roots have beyond those of the grid.
 const GUARD: u32 = 16;
 
-impl<W: Wide> Quadratic<W> {
+impl<W: Integer> Quadratic<W> {
     /// Whether the quadratic's root is above the fraction, or at it.
     pub(super) fn is_at_or_above(&self, root: Root, numerator: i128, denominator: i128) -> bool {
         let (n, d) = (W::from(numerator), W::from(denominator));
@@ -198,7 +198,7 @@ impl<W: Wide> Quadratic<W> {
                 t -= 1;
             }
         }
-        whole::narrow(t)
+        integer::narrow(t)
     }
 }
 

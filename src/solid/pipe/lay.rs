@@ -1,9 +1,9 @@
 //! Pipes are laid segment by segment.
 
-use super::several::Several;
+use super::many::Many;
 use super::{Joint, Pipe, PipeError};
 use crate::geom::Vec3;
-use crate::scalar::{Check, FixedI32, Fraction, Scalar};
+use crate::scalar::{ConstOps, FixedI32, Fraction, Scalar};
 use crate::solid::cylinder::Tube;
 use crate::solid::{
     Cylinder, CylinderError, Intersection, Slab, SlabError, Sphere, SphereError, Union,
@@ -20,9 +20,9 @@ struct Laying<S: Scalar, const SEGMENTS: usize> {
 
 /// At least one segment.
 struct Laid<S: Scalar, const SEGMENTS: usize> {
-    cylinders: Several<Cylinder<S>, SEGMENTS>,
+    cylinders: Many<Cylinder<S>, SEGMENTS>,
     /// Each at the beginning of a cylinder.
-    joints: Several<Joint<S>, SEGMENTS>,
+    joints: Many<Joint<S>, SEGMENTS>,
     last: Cylinder<S>,
 }
 
@@ -57,7 +57,7 @@ macro_rules! constructors {
             /// A pipe along a curve: with as many segments as it takes to stay within `tolerance`,
             /// which see [above](Self#how-near-it-is-to-the-tube).
             ///
-            /// Everything within two radii of the curve must be within [`Scalar::REACH`]. In fixed
+            /// Everything within two radii of the curve must be within [`Scalar::MAX_COORDINATE`]. In fixed
             /// point, points are rounded to units, so the tolerance should be many of them.
             ///
             /// # Errors
@@ -115,7 +115,7 @@ macro_rules! constructors {
                     Some(laid) => laid.last,
                     None => cylinder,
                 };
-                let joint = match Check::<$Scalar>::joint(&before, &cylinder) {
+                let joint = match ConstOps::<$Scalar>::joint(&before, &cylinder) {
                     Ok(joint) => joint,
                     Err(error) => return Err(error),
                 };
@@ -129,8 +129,8 @@ macro_rules! constructors {
                     }
                     None => {
                         self.laid = Some(Laid {
-                            cylinders: Several::of(cylinder),
-                            joints: Several::of(joint),
+                            cylinders: Many::of(cylinder),
+                            joints: Many::of(joint),
                             last: cylinder,
                         });
                     }
@@ -142,8 +142,8 @@ macro_rules! constructors {
                 let Some(Laid { cylinders, mut joints, last }) = self.laid else {
                     return Err(PipeError::Empty);
                 };
-                if Check::<$Scalar>::is_same(self.from, self.to) {
-                    match Check::<$Scalar>::joint(&last, cylinders.first()) {
+                if ConstOps::<$Scalar>::is_same(self.from, self.to) {
+                    match ConstOps::<$Scalar>::joint(&last, cylinders.first()) {
                         Ok(joint) => joints.replace_first(joint),
                         Err(error) => return Err(error),
                     }
@@ -153,7 +153,7 @@ macro_rules! constructors {
             }
         }
 
-        impl<$($generics)*> Check<$Scalar> {
+        impl<$($generics)*> ConstOps<$Scalar> {
             const fn is_same(a: Vec3<$Scalar>, b: Vec3<$Scalar>) -> bool {
                 let (mut a, mut b): (&[$Scalar], &[$Scalar]) = (&a.to_array(), &b.to_array());
                 while let ([x, others @ ..], [y, rest @ ..]) = (a, b) {
@@ -177,13 +177,13 @@ macro_rules! constructors {
                     Err(error) => return Err(of_ball(error)),
                 };
                 let (end, start) = (before.caps.high, after.caps.low);
-                let width = Check::<$Scalar>::sum(radius, radius);
-                let far = Check::<$Scalar>::sum(end, width);
+                let width = ConstOps::<$Scalar>::sum(radius, radius);
+                let far = ConstOps::<$Scalar>::sum(end, width);
                 let beyond = match Slab::<$Scalar>::between(before.caps.normal, end, far) {
                     Ok(slab) => slab,
                     Err(error) => return Err(of_slab(error)),
                 };
-                let far = Check::<$Scalar>::difference(start, width);
+                let far = ConstOps::<$Scalar>::difference(start, width);
                 let ahead = match Slab::<$Scalar>::between(after.caps.normal, far, start) {
                     Ok(slab) => slab,
                     Err(error) => return Err(of_slab(error)),

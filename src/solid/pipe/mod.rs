@@ -1,10 +1,10 @@
 //! The pipe: a tube swept along a curve, as cylinders and pieces of balls.
 
 mod lay;
-mod several;
+mod many;
 
 use super::boolean::Boolean;
-use super::row::{Project, project_as_within};
+use super::row::{Scan, project_as_within};
 use super::{
     Cylinder, Difference, Intersect, Intersection, Rgb, Shape, Slab, Solid, Sphere, Union,
 };
@@ -12,15 +12,14 @@ use crate::geom::{Line, Vec3};
 use crate::scalar::Scalar;
 use crate::span::{Face, SpanStack};
 use core::ops::{BitAnd, BitOr, Sub};
-use several::Several;
+use many::Many;
 
 /// What fills the gap on the outside of a bend: the part of a ball beyond the end of one cylinder
 /// and before the beginning of the next.
 type Joint<S> = Intersection<Intersection<Sphere<S>, Slab<S>>, Slab<S>>;
 
 /// What all the parts of a pipe are together.
-type Parts<S, const SEGMENTS: usize> =
-    Union<Several<Cylinder<S>, SEGMENTS>, Several<Joint<S>, SEGMENTS>>;
+type Parts<S, const SEGMENTS: usize> = Union<Many<Cylinder<S>, SEGMENTS>, Many<Joint<S>, SEGMENTS>>;
 
 /// A tube swept along a B-spline or a polyline, with flat ends and room for `SEGMENTS` segments.
 ///
@@ -62,7 +61,7 @@ type Parts<S, const SEGMENTS: usize> =
 /// directions differ from the curve's own there by an angle of about 4τ/c for a segment of length c.
 ///
 /// To see no more than a fraction f of a pixel of the difference, τ is f times the size of a pixel:
-/// twice the [`pitch`](crate::geom::Parallel::pitch) of the camera's rays, or frame height over
+/// twice the [`half_pixel`](crate::geom::OrthographicRays::half_pixel) of the camera's rays, or frame height over
 /// picture height; times the distance of the pipe's nearest point over that of the target for a
 /// camera with perspective.
 ///
@@ -84,9 +83,9 @@ pub struct Pipe<S: Scalar, const SEGMENTS: usize> {
 pub enum PipeError {
     /// A coordinate or the radius is infinite or NaN.
     NotFinite,
-    /// The radius is zero, negative, or not between [`Scalar::FINEST`] and [`Scalar::REACH`].
+    /// The radius is zero, negative, or not between [`Scalar::MIN_RADIUS`] and [`Scalar::MAX_COORDINATE`].
     Radius,
-    /// A point is larger than [`Scalar::REACH`], or is so within two radii, or the radius is lost in
+    /// A point is larger than [`Scalar::MAX_COORDINATE`], or is so within two radii, or the radius is lost in
     /// the rounding of the points.
     TooFar,
     /// The pipe has no length: there are not two different points.
@@ -139,10 +138,10 @@ impl<S: Intersect, const SEGMENTS: usize> Solid for Pipe<S, SEGMENTS> {
     }
 }
 
-impl<S, P, const SEGMENTS: usize> Project<P> for Pipe<S, SEGMENTS>
+impl<S, P, const SEGMENTS: usize> Scan<P> for Pipe<S, SEGMENTS>
 where
     S: Scalar,
-    Parts<S, SEGMENTS>: Project<P, Scalar = S>,
+    Parts<S, SEGMENTS>: Scan<P, Scalar = S>,
 {
     project_as_within!(parts: Parts<S, SEGMENTS>, |_pipe, rays: P| rays);
 }

@@ -3,14 +3,14 @@
 mod parallel;
 mod pencil;
 
-pub(super) use parallel::{EdgeOn, Ends, ParallelRow, ParallelView, faces};
-pub(super) use pencil::{PencilRow, PencilView};
+pub(super) use parallel::{EdgeOn, Ends, OrthographicRow, OrthographicView, faces};
+pub(super) use pencil::{PerspectiveRow, PerspectiveView};
 
 use super::intersect::{Intersect, Passage};
 use super::leaf::leaf;
 use super::{Shape, Solid};
 use crate::geom::{Direction, Line, Vec3};
-use crate::scalar::{Check, FixedI32, Fraction, Number, Scalar};
+use crate::scalar::{ConstOps, FixedI32, Fraction, Number, Scalar};
 use crate::span::{Crossing, Face, Span, SpanStack};
 
 /// The points p with `low ≤ normal · p ≤ high`.
@@ -38,7 +38,7 @@ pub enum SlabError {
     ZeroNormal,
     /// The low offset is not below the high one.
     Empty,
-    /// An offset is larger than [`Scalar::REACH`].
+    /// An offset is larger than [`Scalar::MAX_COORDINATE`].
     TooFar,
 }
 
@@ -90,7 +90,7 @@ macro_rules! constructors {
                 if !normal.has_finite_coordinates() {
                     return Err(SlabError::NotFinite);
                 }
-                match Check::<$Scalar>::normalized([normal.x, normal.y, normal.z]) {
+                match ConstOps::<$Scalar>::normalized([normal.x, normal.y, normal.z]) {
                     Some(normal) => Self::between(Direction::<$Scalar>::new(normal), low, high),
                     None => Err(SlabError::ZeroNormal),
                 }
@@ -102,13 +102,13 @@ macro_rules! constructors {
                 low: $Scalar,
                 high: $Scalar,
             ) -> Result<Self, SlabError> {
-                if !(Check::<$Scalar>::is_finite(low) && Check::<$Scalar>::is_finite(high)) {
+                if !(ConstOps::<$Scalar>::is_finite(low) && ConstOps::<$Scalar>::is_finite(high)) {
                     return Err(SlabError::NotFinite);
                 }
-                if !Check::<$Scalar>::is_below(low, high) {
+                if !ConstOps::<$Scalar>::is_below(low, high) {
                     return Err(SlabError::Empty);
                 }
-                if !(Check::<$Scalar>::is_within_reach(low) && Check::<$Scalar>::is_within_reach(high)) {
+                if !(ConstOps::<$Scalar>::is_within_reach(low) && ConstOps::<$Scalar>::is_within_reach(high)) {
                     return Err(SlabError::TooFar);
                 }
                 Ok(Self { normal, low, high })
@@ -122,17 +122,17 @@ constructors!([] f32, [] f64, [F: Fraction] FixedI32<F>);
 impl<S: Scalar> Slab<S> {
     /// Where a line with `normal · p(t) = at_zero + t·speed` passes the planes.
     #[inline]
-    pub(super) fn passage(&self, at_zero: S::Fine, speed: S::Fine) -> Passage<S> {
-        self.passed([self.low, self.high].map(|offset| offset.fine() - at_zero), speed)
+    pub(super) fn passage(&self, at_zero: S::Wide, speed: S::Wide) -> Passage<S> {
+        self.passed([self.low, self.high].map(|offset| offset.wide() - at_zero), speed)
     }
 
     /// Where a line passes the planes that are so far above it at t = 0.
     #[inline]
-    pub(super) fn passed(&self, heights: [S::Fine; 2], speed: S::Fine) -> Passage<S> {
-        if speed == S::Fine::ZERO {
+    pub(super) fn passed(&self, heights: [S::Wide; 2], speed: S::Wide) -> Passage<S> {
+        if speed == S::Wide::ZERO {
             return Passage::Along { inside: self.holds(heights) };
         }
-        Passage::Across { at: S::quotients(heights, speed), upwards: speed > S::Fine::ZERO }
+        Passage::Across { at: S::quotients(heights, speed), upwards: speed > S::Wide::ZERO }
     }
 
     /// Whether a line along the planes is inside.
@@ -140,8 +140,8 @@ impl<S: Scalar> Slab<S> {
     /// One of the two planes belongs to the slab: the lower one as seen along the first
     /// coordinate axis that isn't parallel to them. So of two slabs on either side of a plane,
     /// exactly one has it, whichever way their normals point.
-    fn holds(&self, [low, high]: [S::Fine; 2]) -> bool {
-        let zero = S::Fine::ZERO;
+    fn holds(&self, [low, high]: [S::Wide; 2]) -> bool {
+        let zero = S::Wide::ZERO;
         self.has(low <= zero, low < zero) && self.has(zero < high, zero <= high)
     }
 

@@ -1,69 +1,74 @@
 //! The slab along parallel rays: both planes are crossed at parameters that are affine in the column.
 
 use super::Slab;
-use crate::geom::{Affine, Extent, Parallel, Vec3};
+use crate::geom::{Affine, Extent, OrthographicRays, Vec3};
 use crate::scalar::{Number, Real, Scalar};
 use crate::solid::leaf::Leaf;
-use crate::solid::row::Blank;
+use crate::solid::row::Empty;
 use crate::solid::strip::Steps;
 use crate::span::{Crossing, Face, Span};
 
-impl<S: Scalar> Leaf<Parallel<S>> for Slab<S> {
-    type View = ParallelView<S>;
-    type Row = ParallelRow<S>;
+impl<S: Scalar> Leaf<OrthographicRays<S>> for Slab<S> {
+    type View = OrthographicView<S>;
+    type Row = OrthographicRow<S>;
 
-    fn seen_along(&self, rays: &Parallel<S>) -> ParallelView<S> {
-        let speed = self.normal.dot_fine(rays.forward);
-        let inverse = if speed.is_divisor() { S::Fine::ONE / speed } else { S::Fine::ZERO };
-        let [middle, right, down] = rays.steps(Vec3::ZERO).map(|step| self.normal.dot_fine(step));
-        let is_edge_on = inverse == S::Fine::ZERO;
+    fn seen_along(&self, rays: &OrthographicRays<S>) -> OrthographicView<S> {
+        let speed = self.normal.dot_wide(rays.forward);
+        let inverse = if speed.is_divisor() { S::Wide::ONE / speed } else { S::Wide::ZERO };
+        let [middle, right, down] = rays.steps(Vec3::ZERO).map(|step| self.normal.dot_wide(step));
+        let is_edge_on = inverse == S::Wide::ZERO;
         let step = if is_edge_on { right } else { -right * inverse };
-        ParallelView { height: [middle, down], inverse, step }
+        OrthographicView { height: [middle, down], inverse, step }
     }
 
     fn in_row(
         &self,
-        view: &ParallelView<S>,
+        view: &OrthographicView<S>,
         y: i32,
         columns: u32,
-        row: &mut ParallelRow<S>,
+        row: &mut OrthographicRow<S>,
     ) -> Extent {
-        *row = self.parallel_row(view, y, columns);
+        *row = self.orthographic_row(view, y, columns);
         match row {
-            ParallelRow::EdgeOn(row) => self.edge_on_steps(row).columns(columns),
+            OrthographicRow::EdgeOn(row) => self.edge_on_steps(row).columns(columns),
             _ => Extent::all(columns),
         }
     }
 
     #[inline]
-    fn span(&self, view: &ParallelView<S>, row: &ParallelRow<S>, x: i32) -> Option<Span<S>> {
+    fn span(
+        &self,
+        view: &OrthographicView<S>,
+        row: &OrthographicRow<S>,
+        x: i32,
+    ) -> Option<Span<S>> {
         match row {
-            ParallelRow::Nowhere => None,
-            ParallelRow::Across(ends) => ends.span(view, x),
-            ParallelRow::EdgeOn(row) => self.edge_on_span(row, x),
+            OrthographicRow::Nowhere => None,
+            OrthographicRow::Across(ends) => ends.span(view, x),
+            OrthographicRow::EdgeOn(row) => self.edge_on_span(row, x),
         }
     }
 }
 
 impl<S: Scalar> Slab<S> {
-    pub(in crate::solid) fn parallel_row(
+    pub(in crate::solid) fn orthographic_row(
         &self,
-        view: &ParallelView<S>,
+        view: &OrthographicView<S>,
         y: i32,
         columns: u32,
-    ) -> ParallelRow<S> {
-        let ParallelView { height: [middle, down], inverse, step } = *view;
+    ) -> OrthographicRow<S> {
+        let OrthographicView { height: [middle, down], inverse, step } = *view;
         let height = middle.after_steps(down, y);
-        if inverse == S::Fine::ZERO {
-            return ParallelRow::EdgeOn(EdgeOn { height, step, speed: S::Fine::ZERO });
+        if inverse == S::Wide::ZERO {
+            return OrthographicRow::EdgeOn(EdgeOn { height, step, speed: S::Wide::ZERO });
         }
-        let [low, high] = [self.low, self.high].map(|offset| (offset.fine() - height) * inverse);
+        let [low, high] = [self.low, self.high].map(|offset| (offset.wide() - height) * inverse);
         if [low, high].iter().all(|at| at.holds_steps(step, columns as i32)) {
             let (near, far) = if view.high_first() { (high, low) } else { (low, high) };
-            return ParallelRow::Across(Ends { near, far });
+            return OrthographicRow::Across(Ends { near, far });
         }
-        let speed = S::Fine::ONE / inverse;
-        ParallelRow::EdgeOn(EdgeOn { height, step: -(step * speed), speed })
+        let speed = S::Wide::ONE / inverse;
+        OrthographicRow::EdgeOn(EdgeOn { height, step: -(step * speed), speed })
     }
 
     #[inline]
@@ -73,10 +78,10 @@ impl<S: Scalar> Slab<S> {
 
     /// Where rays along the planes, or almost, can be between them.
     pub(in crate::solid) fn edge_on_steps(&self, row: &EdgeOn<S>) -> Steps {
-        if row.speed != S::Fine::ZERO {
+        if row.speed != S::Wide::ZERO {
             return Steps::ALL;
         }
-        let (low, high) = (self.low.fine(), self.high.fine());
+        let (low, high) = (self.low.wide(), self.high.wide());
         let height = Affine { middle: row.height, step: row.step };
         let size = low.abs() + high.abs() + row.height.abs();
         Steps::between::<S>(height, low, high, size)
@@ -86,12 +91,12 @@ impl<S: Scalar> Slab<S> {
 impl<S: Scalar> Ends<S> {
     /// Where the planes are crossed.
     #[inline(always)]
-    pub(in crate::solid) fn at(&self, view: &ParallelView<S>, x: i32) -> [S; 2] {
-        [self.near, self.far].map(|end| S::from_fine(end.after_steps(view.step, x)))
+    pub(in crate::solid) fn at(&self, view: &OrthographicView<S>, x: i32) -> [S; 2] {
+        [self.near, self.far].map(|end| S::from_wide(end.after_steps(view.step, x)))
     }
 
     #[inline]
-    pub(in crate::solid) fn span(&self, view: &ParallelView<S>, x: i32) -> Option<Span<S>> {
+    pub(in crate::solid) fn span(&self, view: &OrthographicView<S>, x: i32) -> Option<Span<S>> {
         let [enter, exit] = self.at(view, x);
         let [near, far] = faces(view.high_first());
         Span::new(Crossing { t: enter, face: near }, Crossing { t: exit, face: far })
@@ -100,15 +105,15 @@ impl<S: Scalar> Ends<S> {
     /// Where rays of so many columns can be between the planes no farther than `reach` from `middle`.
     pub(in crate::solid) fn steps(
         &self,
-        view: &ParallelView<S>,
-        middle: Affine<S::Fine>,
-        reach: S::Fine,
+        view: &OrthographicView<S>,
+        middle: Affine<S::Wide>,
+        reach: S::Wide,
         columns: u32,
     ) -> Steps {
         let (near, far) = (self.near - reach, self.far + reach);
         // The ends move as well: what counts is how the middle moves along them.
         let along = Affine { step: middle.step - view.step, ..middle };
-        let way = S::Fine::ZERO.after_steps(middle.step, columns as i32);
+        let way = S::Wide::ZERO.after_steps(middle.step, columns as i32);
         let size = near.abs().max(far.abs()) + middle.middle.abs() + way.abs() + reach;
         Steps::between::<S>(along, near, far, size)
     }
@@ -116,21 +121,21 @@ impl<S: Scalar> Ends<S> {
 
 /// A slab, seen along parallel rays.
 #[derive(Debug, Clone, Copy)]
-pub struct ParallelView<S: Scalar> {
+pub struct OrthographicView<S: Scalar> {
     /// normal·p in the middle of the image plane, and its step down.
-    height: [S::Fine; 2],
+    height: [S::Wide; 2],
     /// 1/(normal·d), or 0 if the rays run along the planes.
-    inverse: S::Fine,
+    inverse: S::Wide,
     /// What half a column adds to where the planes are crossed; or to the height, for rays along
     /// the planes.
-    step: S::Fine,
+    step: S::Wide,
 }
 
-impl<S: Scalar> ParallelView<S> {
+impl<S: Scalar> OrthographicView<S> {
     /// Whether rays meet the high plane before the low one.
     #[inline]
     pub(in crate::solid) fn high_first(&self) -> bool {
-        self.inverse < S::Fine::ZERO
+        self.inverse < S::Wide::ZERO
     }
 }
 
@@ -141,14 +146,14 @@ pub(in crate::solid) fn faces(high_first: bool) -> [Face; 2] {
     [Face(near), Face(1 - near)]
 }
 
-impl<S: Scalar> Blank for ParallelView<S> {
-    const BLANK: Self =
-        Self { height: [S::Fine::ZERO; 2], inverse: S::Fine::ZERO, step: S::Fine::ZERO };
+impl<S: Scalar> Empty for OrthographicView<S> {
+    const EMPTY: Self =
+        Self { height: [S::Wide::ZERO; 2], inverse: S::Wide::ZERO, step: S::Wide::ZERO };
 }
 
 /// A row of a slab, seen along parallel rays.
 #[derive(Debug, Clone, Copy)]
-pub enum ParallelRow<S: Scalar> {
+pub enum OrthographicRow<S: Scalar> {
     /// Not set yet.
     Nowhere,
     /// Both planes are crossed, at parameters that are affine in the column.
@@ -157,23 +162,23 @@ pub enum ParallelRow<S: Scalar> {
     EdgeOn(EdgeOn<S>),
 }
 
-impl<S: Scalar> Blank for ParallelRow<S> {
-    const BLANK: Self = Self::Nowhere;
+impl<S: Scalar> Empty for OrthographicRow<S> {
+    const EMPTY: Self = Self::Nowhere;
 }
 
 /// Where the middle of a row crosses the planes: first the one, then the other.
 #[derive(Debug, Clone, Copy)]
 pub struct Ends<S: Scalar> {
-    near: S::Fine,
-    far: S::Fine,
+    near: S::Wide,
+    far: S::Wide,
 }
 
 /// A row of rays along the planes, or almost.
 #[derive(Debug, Clone, Copy)]
 pub struct EdgeOn<S: Scalar> {
     /// normal·p in the middle, and what half a column adds to it.
-    height: S::Fine,
-    step: S::Fine,
+    height: S::Wide,
+    step: S::Wide,
     /// normal·d.
-    speed: S::Fine,
+    speed: S::Wide,
 }

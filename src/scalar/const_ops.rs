@@ -1,11 +1,11 @@
 //! What constructors check and compute, for constants: traits have no `const` methods yet.
 
 use super::root::sqrt as const_sqrt;
-use super::{Factor, Fine, FixedI32, Fraction, Scalar};
+use super::{FixedI32, Fraction, Scalar, Scale, Wide};
 use core::marker::PhantomData;
 
 /// The constant functions of a number type.
-pub(crate) struct Check<S>(PhantomData<S>);
+pub(crate) struct ConstOps<S>(PhantomData<S>);
 
 /// The ends of a line, as offsets along its rounded direction.
 pub(crate) struct Stretch<S: Scalar> {
@@ -16,7 +16,7 @@ pub(crate) struct Stretch<S: Scalar> {
 
 macro_rules! floats {
     ($($Float:ident),+) => {$(
-        impl Check<$Float> {
+        impl ConstOps<$Float> {
             pub(crate) const ZERO: $Float = 0.0;
 
             pub(crate) const fn is_finite(x: $Float) -> bool {
@@ -36,11 +36,11 @@ macro_rules! floats {
             }
 
             pub(crate) const fn is_within_reach(x: $Float) -> bool {
-                x.abs() <= <$Float>::REACH
+                x.abs() <= <$Float>::MAX_COORDINATE
             }
 
             pub(crate) const fn is_radius(x: $Float) -> bool {
-                <$Float>::FINEST <= x && x <= <$Float>::REACH
+                <$Float>::MIN_RADIUS <= x && x <= <$Float>::MAX_COORDINATE
             }
 
             pub(crate) const fn inverse(radius: $Float) -> $Float {
@@ -100,7 +100,7 @@ const fn normalized([x, y, z]: [f64; 3]) -> Option<[f64; 3]> {
 
 type Unit<F> = <FixedI32<F> as Scalar>::Unit;
 
-impl<F: Fraction> Check<FixedI32<F>> {
+impl<F: Fraction> ConstOps<FixedI32<F>> {
     pub(crate) const ZERO: FixedI32<F> = FixedI32::from_bits(0);
 
     pub(crate) const fn is_finite(_: FixedI32<F>) -> bool {
@@ -120,16 +120,17 @@ impl<F: Fraction> Check<FixedI32<F>> {
     }
 
     pub(crate) const fn is_within_reach(x: FixedI32<F>) -> bool {
-        x.to_bits().unsigned_abs() <= <FixedI32<F> as Scalar>::REACH.to_bits().unsigned_abs()
+        x.to_bits().unsigned_abs()
+            <= <FixedI32<F> as Scalar>::MAX_COORDINATE.to_bits().unsigned_abs()
     }
 
     pub(crate) const fn is_radius(x: FixedI32<F>) -> bool {
         x.to_bits() > 0 && Self::is_within_reach(x)
     }
 
-    pub(crate) const fn inverse(radius: FixedI32<F>) -> Factor {
-        Factor::inverse(Fine::from_bits(
-            (radius.to_bits() as i64) << (Fine::FRACTION_BITS - F::BITS),
+    pub(crate) const fn inverse(radius: FixedI32<F>) -> Scale {
+        Scale::inverse(Wide::from_bits(
+            (radius.to_bits() as i64) << (Wide::FRACTION_BITS - F::BITS),
         ))
     }
 
@@ -174,7 +175,7 @@ const fn unit<F: Fraction>([x, y, z]: [i64; 3]) -> Option<[Unit<F>; 3]> {
     // The length, and with it the quotients, have at least 30 digits more than the coordinates.
     let length = ((square as u128) << 60).isqrt() as i128;
     const fn coordinate<F: Fraction>(x: i64, length: i128) -> Unit<F> {
-        let bits = super::whole::divide((x as i128) << (30 + 28), length);
+        let bits = super::integer::divide((x as i128) << (30 + 28), length);
         Unit::<F>::from_bits(bits as i32)
     }
     Some([coordinate::<F>(x, length), coordinate::<F>(y, length), coordinate::<F>(z, length)])
@@ -184,5 +185,5 @@ const fn unit<F: Fraction>([x, y, z]: [i64; 3]) -> Option<[Unit<F>; 3]> {
 const fn along<F: Fraction>([x, y, z]: [Unit<F>; 3], point: [i64; 3]) -> FixedI32<F> {
     let [x, y, z] = [x.to_bits() as i64, y.to_bits() as i64, z.to_bits() as i64];
     let sum = x * point[0] + y * point[1] + z * point[2];
-    FixedI32::from_bits(super::whole::narrow(super::whole::shift_right(sum, 28)))
+    FixedI32::from_bits(super::integer::narrow(super::integer::shift_right(sum, 28)))
 }

@@ -1,8 +1,8 @@
 //! Factors of any size for fixed-point numbers.
 
-use super::Fine;
-use super::whole::{normalized, reciprocal, shift_right};
-use super::words::product;
+use super::Wide;
+use super::armv6m::product;
+use super::integer::{normalized, reciprocal, shift_right};
 
 /// `mantissa · 2^−shift`: a number ≥ 0 with 31 significant bits, whatever its size.
 ///
@@ -10,28 +10,28 @@ use super::words::product;
 /// would be too few. A product costs one multiplication of 32 by 32 bits and a shift.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Factor {
+pub struct Scale {
     mantissa: u32,
     shift: i32,
 }
 
-impl Factor {
+impl Scale {
     /// 0.
     pub(super) const NONE: Self = Self { mantissa: 0, shift: 0 };
 
     /// The factor of a number ≥ 0; of one below, 0.
-    pub(super) fn new(number: Fine) -> Self {
+    pub(super) fn new(number: Wide) -> Self {
         let bits = u64::try_from(number.to_bits()).unwrap_or(0);
         let (mantissa, exponent) = normalized(bits);
         // One bit less than it could have, so that products fit 63 bits.
-        Self { mantissa: mantissa >> 1, shift: Fine::FRACTION_BITS as i32 - exponent - 1 }
+        Self { mantissa: mantissa >> 1, shift: Wide::FRACTION_BITS as i32 - exponent - 1 }
     }
 
     /// 1/`number` for a number > 0, rounded down.
-    pub(super) const fn inverse(number: Fine) -> Self {
+    pub(super) const fn inverse(number: Wide) -> Self {
         let bits = if number.to_bits() > 0 { number.to_bits().cast_unsigned() } else { 0 };
         let (mantissa, exponent) = normalized(bits);
-        let shift = 62 + exponent - Fine::FRACTION_BITS as i32;
+        let shift = 62 + exponent - Wide::FRACTION_BITS as i32;
         Self { mantissa: reciprocal(mantissa) >> 1, shift }
     }
 

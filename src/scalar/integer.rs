@@ -1,6 +1,6 @@
 //! Integer arithmetic that fixed point is made of: rounded shifts, roots, quotients.
 
-use super::words::{IS_NARROW, leading_zeros, shifted, unsigned_product};
+use super::armv6m::{IS_NARROW, leading_zeros, shifted, unsigned_product};
 
 /// `value / 2^shift`, rounded to nearest, halves upwards; `shift` may be negative. What leaves
 /// the range of `i64` stays at its end.

@@ -1,8 +1,8 @@
 //! 64-bit fixed point: the numbers that a fixed-point picture is set up with.
 
+use super::armv6m::steps;
+use super::integer::{long_quotient, long_root, shift_right, shift_right_wide};
 use super::number::sealed::Sealed;
-use super::whole::{long_quotient, long_root, shift_right, shift_right_wide};
-use super::words::steps;
 use super::{Number, Real};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -12,9 +12,9 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// rounded to nearest and do so too, and a quotient by zero is an end of the range (or 0 for 0/0).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Fine(i64);
+pub struct Wide(i64);
 
-impl Fine {
+impl Wide {
     pub(super) const FRACTION_BITS: u32 = 32;
 
     /// The number of 2^−32 times `bits`.
@@ -30,9 +30,9 @@ impl Fine {
     }
 }
 
-impl Sealed for Fine {}
+impl Sealed for Wide {}
 
-impl Number for Fine {
+impl Number for Wide {
     const ZERO: Self = Self(0);
     const ONE: Self = Self(1 << Self::FRACTION_BITS);
 
@@ -73,7 +73,7 @@ impl Number for Fine {
     }
 }
 
-impl Add for Fine {
+impl Add for Wide {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
@@ -81,7 +81,7 @@ impl Add for Fine {
     }
 }
 
-impl Sub for Fine {
+impl Sub for Wide {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
@@ -89,7 +89,7 @@ impl Sub for Fine {
     }
 }
 
-impl Mul for Fine {
+impl Mul for Wide {
     type Output = Self;
     #[inline(never)]
     fn mul(self, other: Self) -> Self {
@@ -97,7 +97,7 @@ impl Mul for Fine {
     }
 }
 
-impl Div for Fine {
+impl Div for Wide {
     type Output = Self;
     #[inline(never)]
     fn div(self, other: Self) -> Self {
@@ -119,7 +119,7 @@ impl Div for Fine {
     }
 }
 
-impl Neg for Fine {
+impl Neg for Wide {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
@@ -128,11 +128,11 @@ impl Neg for Fine {
 }
 
 #[inline]
-fn product(a: Fine, b: Fine) -> i128 {
+fn product(a: Wide, b: Wide) -> i128 {
     i128::from(a.0) * i128::from(b.0)
 }
 
-impl Real for Fine {
+impl Real for Wide {
     const PI: Self = Self(0x3_243f_6a89);
     const HALF: Self = Self(1 << (Self::FRACTION_BITS - 1));
     const EPSILON: Self = Self(1);
@@ -257,12 +257,12 @@ mod tests {
     use proptest::prelude::*;
     use std::prelude::rust_2024::*;
 
-    fn value(fine: Fine) -> f64 {
+    fn value(fine: Wide) -> f64 {
         fine.0 as f64 / 2f64.powi(32)
     }
 
-    fn fine(value: f64) -> Fine {
-        Fine((value * 2f64.powi(32)) as i64)
+    fn wide(value: f64) -> Wide {
+        Wide((value * 2f64.powi(32)) as i64)
     }
 
     const UNIT: f64 = 1.0 / 4_294_967_296.0;
@@ -270,7 +270,7 @@ mod tests {
     proptest! {
         #[test]
         fn arithmetic_is_rounded_once(x in -30f64..30.0, y in -30f64..30.0) {
-            let (a, b) = (fine(x), fine(y));
+            let (a, b) = (wide(x), wide(y));
             let (x, y) = (value(a), value(b));
             prop_assert!((value(a * b) - x * y).abs() <= 0.51 * UNIT);
             if y.abs() > 0.1 {
@@ -278,13 +278,13 @@ mod tests {
             }
             let root = value(Real::sqrt(a));
             prop_assert!((root - x.max(0.0).sqrt()).abs() <= 0.51 * UNIT);
-            let difference = value(Fine::product_difference(a, b, b, Fine::ONE));
+            let difference = value(Wide::product_difference(a, b, b, Wide::ONE));
             prop_assert!((difference - (x * y - y)).abs() <= 0.51 * UNIT);
         }
 
         #[test]
         fn angles(x in -3e4f64..3e4) {
-            let a = fine(x);
+            let a = wide(x);
             let (sin, cos) = a.sin_cos();
             prop_assert!((value(sin) - value(a).sin()).abs() <= 0.6 * UNIT);
             prop_assert!((value(cos) - value(a).cos()).abs() <= 0.6 * UNIT);
@@ -292,36 +292,36 @@ mod tests {
 
         #[test]
         fn powers_normalize(bits in 1i64..) {
-            let scaled = Fine(bits) * Fine(bits).normalizing_power();
+            let scaled = Wide(bits) * Wide(bits).normalizing_power();
             if bits >= 4 {
-                prop_assert!((Fine::ONE..Fine::from_int(2)).contains(&scaled), "{scaled:?}");
+                prop_assert!((Wide::ONE..Wide::from_int(2)).contains(&scaled), "{scaled:?}");
             }
         }
 
         #[test]
         fn steps_may_overflow_on_the_way(at in -1i64 << 60..1i64 << 60, count in 1i32..1000) {
-            let step = Fine(i64::MAX / 10);
-            let start = Fine(at.wrapping_sub(step.0.wrapping_mul(i64::from(count))));
-            prop_assert_eq!(start.after_steps(step, count), Fine(at));
+            let step = Wide(i64::MAX / 10);
+            let start = Wide(at.wrapping_sub(step.0.wrapping_mul(i64::from(count))));
+            prop_assert_eq!(start.after_steps(step, count), Wide(at));
         }
     }
 
     #[test]
     fn the_ends_of_the_range() {
-        let (low, high) = (Fine(i64::MIN), Fine(i64::MAX));
-        assert_eq!(high + Fine(1), high);
-        assert_eq!(low - Fine(1), low);
+        let (low, high) = (Wide(i64::MIN), Wide(i64::MAX));
+        assert_eq!(high + Wide(1), high);
+        assert_eq!(low - Wide(1), low);
         assert_eq!(-low, high);
         assert_eq!(low * low, high);
         assert_eq!(low * high, low);
-        assert_eq!(Fine::ONE / Fine::ZERO, high);
-        assert_eq!(-Fine::ONE / Fine::ZERO, low);
-        assert_eq!(Fine::ZERO / Fine::ZERO, Fine::ZERO);
-        assert_eq!(low / Fine(-1), high);
-        assert_eq!(Fine::dot3([low; 3], [low; 3]), high);
-        assert_eq!(Fine::dot3([low; 3], [high; 3]), low);
-        assert_eq!(Real::sqrt(low), Fine::ZERO);
-        assert!(high.holds_steps(Fine::ZERO, 5) && !high.holds_steps(Fine(1), 1));
+        assert_eq!(Wide::ONE / Wide::ZERO, high);
+        assert_eq!(-Wide::ONE / Wide::ZERO, low);
+        assert_eq!(Wide::ZERO / Wide::ZERO, Wide::ZERO);
+        assert_eq!(low / Wide(-1), high);
+        assert_eq!(Wide::dot3([low; 3], [low; 3]), high);
+        assert_eq!(Wide::dot3([low; 3], [high; 3]), low);
+        assert_eq!(Real::sqrt(low), Wide::ZERO);
+        assert!(high.holds_steps(Wide::ZERO, 5) && !high.holds_steps(Wide(1), 1));
         assert!(!low.holds_steps(low, i32::MIN));
     }
 }

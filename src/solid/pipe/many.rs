@@ -8,13 +8,13 @@ use crate::span::{Face, SpanStack};
 
 /// From one to `N` solids.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Several<T, const N: usize> {
+pub struct Many<T, const N: usize> {
     /// Behind the last one, the first one again and again.
     items: [T; N],
     count: usize,
 }
 
-impl<T: Copy, const N: usize> Several<T, N> {
+impl<T: Copy, const N: usize> Many<T, N> {
     pub(super) const fn of(first: T) -> Self {
         const { assert!(N > 0, "a group of solids needs at least one") };
         Self { items: [first; N], count: 1 }
@@ -39,7 +39,7 @@ impl<T: Copy, const N: usize> Several<T, N> {
     }
 }
 
-impl<T, const N: usize> Several<T, N> {
+impl<T, const N: usize> Many<T, N> {
     pub(super) const fn count(&self) -> usize {
         self.count
     }
@@ -49,7 +49,7 @@ impl<T, const N: usize> Several<T, N> {
     }
 }
 
-impl<T: Shape, const N: usize> Several<T, N> {
+impl<T: Shape, const N: usize> Many<T, N> {
     /// The item that a face belongs to, and the face within that item.
     fn owner(&self, face: Face) -> Option<(&T, Face)> {
         let index = face.0.checked_div(T::FACES)?;
@@ -57,14 +57,14 @@ impl<T: Shape, const N: usize> Several<T, N> {
     }
 }
 
-impl<T: Shape, const N: usize> Shape for Several<T, N> {
+impl<T: Shape, const N: usize> Shape for Many<T, N> {
     type Scalar = T::Scalar;
     const SPANS: usize = N * T::SPANS;
     const STACK: usize = stack_of_group(N, T::SPANS, T::STACK);
     const FACES: u16 = faces_of_group(N, T::FACES);
 }
 
-impl<T: Solid, const N: usize> Solid for Several<T, N> {
+impl<T: Solid, const N: usize> Solid for Many<T, N> {
     fn spans(
         &self,
         line: &Line<Self::Scalar>,
@@ -101,4 +101,4 @@ impl<T: Solid, const N: usize> Solid for Several<T, N> {
     }
 }
 
-project_as_group!(Several<T, N>, items);
+project_as_group!(Many<T, N>, items);
