@@ -58,8 +58,10 @@ extern crate std;
 
 mod error;
 pub mod geom;
+mod quadric;
 pub mod render;
 pub mod scalar;
+pub mod scan;
 pub mod solid;
 pub mod span;
 pub mod spline;

@@ -9,8 +9,8 @@ use scancsg::render::{
     CameraError, Gray8, Orthographic, Picture, RowError, Run, ShadeError, Size, SizeError, XRay,
 };
 use scancsg::solid::{
-    Cylinder, CylinderError, CylinderWall, Difference, Painted, PipeError, Rgb, Shape, Slab,
-    SlabError, Solid, Sphere, SphereError, Union,
+    Cylinder, CylinderError, CylinderWall, Difference, Painted, PipeError, RayCast, Rgb, Shape,
+    Slab, SlabError, Solid, Sphere, SphereError, Union,
 };
 use scancsg::span::SpanList;
 use std::collections::HashSet;

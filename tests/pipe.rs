@@ -13,7 +13,7 @@ use scancsg::constant;
 use scancsg::geom::{RayRow, Rays, Vec3, vec3};
 use scancsg::render::{Camera, Gray8, Orthographic, Perspective, Picture, Size, XRay};
 use scancsg::scalar::I16F16;
-use scancsg::solid::{Painted, Pipe, PipeError, Rgb, Scan, Shape, Solid};
+use scancsg::solid::{Painted, Pipe, PipeError, RayCast, Rgb, Scan, Shape, Solid};
 use scancsg::span::{Face, SpanList};
 use scancsg::spline::{Blend, Curve, Knots, Outside};
 

@@ -58,7 +58,7 @@ where
         let rays = camera.rays(size);
         let mut list = SpanList::<S, N>::new();
         for (y, row) in (0..size.height()).zip(pixels.chunks_exact_mut(width(size))) {
-            let scanline = picture.scanline(y).unwrap();
+            let mut scanline = picture.scanline(y).unwrap();
             let lines = rays.row(from_middle(y, size.height()));
             for (x, pixel) in (0..).zip(row) {
                 let seen = first_seen(scanline.spans(x, &mut list), rays.start());

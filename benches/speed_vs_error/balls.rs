@@ -9,7 +9,7 @@ use crate::rays::{Group, Set, Size, unit};
 use parry3d::query::RayCast;
 use scancsg::geom::{Ray, vec3};
 use scancsg::scalar::I16F16;
-use scancsg::solid::{Solid, Sphere};
+use scancsg::solid::{RayCast as _, Sphere};
 use scancsg::span::SpanList;
 
 pub const SETS: &[Set] = &[

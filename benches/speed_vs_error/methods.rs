@@ -8,7 +8,7 @@ use parry3d::math::Vector;
 use parry3d::query::RayCast;
 use scancsg::geom::{Ray, vec3};
 use scancsg::scalar::I16F16;
-use scancsg::solid::{Cylinder, Solid};
+use scancsg::solid::{Cylinder, RayCast as _};
 use scancsg::span::{Face, SpanList};
 use std::hint::black_box;
 use std::ops::RangeInclusive;

@@ -9,8 +9,8 @@ pub mod plate;
 use scancsg::constant;
 use scancsg::geom::{Vec3, vec3};
 use scancsg::render::{CameraError, Orthographic, Perspective};
-use scancsg::scalar::I16F16;
-use scancsg::solid::{Cylinder, Difference, Intersect, Painted, Rgb};
+use scancsg::scalar::{I16F16, Scalar};
+use scancsg::solid::{Cylinder, Difference, Painted, Rgb};
 use scancsg::spline::{Curve, EvaluateError, Knots, Outside};
 
 /// What there is of it, minus what is drilled out.
@@ -24,7 +24,7 @@ pub const LAP: f64 = 8.0;
 
 /// What a user who chooses the number type by a type parameter asks for. The modules below have
 /// the same by number type.
-pub trait Scene: Intersect {
+pub trait Scene: Scalar {
     /// What there is of the part.
     const BODY: [Cylinder<Self>; 4];
     /// The part.

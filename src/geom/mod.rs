@@ -7,7 +7,6 @@ mod ray;
 mod vec3;
 
 pub(crate) use direction::{Axis, Direction};
-pub(crate) use pixels::shortened;
 pub use pixels::{
     Affine, Column, Extent, OrthographicRays, OrthographicRow, PerspectiveRays, PerspectiveRow,
     RayRow, Rays,

@@ -1,9 +1,11 @@
 //! Pictures and their scanlines: solid → view → row → pixels, without a frame buffer.
 
 use super::{Camera, Pixel, Shader, Size};
-use crate::geom::{Column, Line, RayRow, Rays, Vec3};
+use crate::geom::{Line, RayRow, Rays, Vec3};
 use crate::scalar::{Number, Scalar};
-use crate::solid::{Empty, Look, Outlook, Rgb, Scan, Seen, Solid};
+use crate::scan::{ColumnRun, Empty, Scan};
+use crate::solid::{Rgb, Seen, Solid};
+use crate::span::walk::{Cold, Hot, Step};
 use crate::span::{Crossing, Face, Span, SpanList};
 use core::ops::Range;
 
@@ -183,18 +185,18 @@ where
     /// Runs of background and of everything else take turns, so from column 0 on, each beginning
     /// where the last one ended, they cover the row.
     #[must_use]
-    pub fn run(&self, start: u16) -> Option<Run> {
+    pub fn run(&mut self, start: u16) -> Option<Run> {
         let width = self.picture.size.width();
-        let Outlook { is_there, mut until } = T::outlook(&self.picture.row, start.into());
+        let ColumnRun { is_visible, mut until } = self.enter(start.into());
         while until < u32::from(width) {
-            let next = T::outlook(&self.picture.row, until);
-            if next.is_there != is_there {
+            let next = self.enter(until);
+            if next.is_visible != is_visible {
                 break;
             }
             until = next.until;
         }
         let end = u16::try_from(until).map_or(width, |until| until.min(width));
-        (start < width).then_some(Run { columns: start..end, is_background: !is_there })
+        (start < width).then_some(Run { columns: start..end, is_background: !is_visible })
     }
 
     /// Renders the whole row into `pixels`.
@@ -222,10 +224,10 @@ where
         let mut column = u32::from(run.columns.start);
         let mut rest = pixels;
         while !rest.is_empty() {
-            let Outlook { is_there, until } = T::enter(&mut self.picture.row, column);
+            let ColumnRun { is_visible, until } = self.enter(column);
             let count = rest.len().min((until - column) as usize);
             let (now, later) = rest.split_at_mut_checked(count).ok_or(RowError::Length)?;
-            if is_there && !run.is_background {
+            if is_visible && !run.is_background {
                 let mut x = self.x(column);
                 for pixel in now {
                     *pixel = self.pixel(x);
@@ -248,19 +250,31 @@ where
     /// The spans of the ray of column `x`. The parameter counts scene units along the viewing
     /// direction from the plane through the camera's target.
     pub fn spans<'l, const N: usize>(
-        &self,
+        &mut self,
         x: u16,
         list: &'l mut SpanList<R::Scalar, N>,
     ) -> &'l [Span<R::Scalar>] {
         const {
-            assert!(N >= T::STACK, "the span list is too small: see Shape::STACK of the solid");
+            assert!(N >= T::SPANS, "the span list is too small: see Shape::SPANS of the solid");
         }
-        let index = u32::from(x);
-        let column = Column { index, x: self.x(index) };
+        let column = u32::from(x);
+        let (x, lowest) = (self.x(column), R::Scalar::LOWEST);
+        let is_visible = self.enter(column).is_visible;
         let mut stack = list.stack();
-        if T::outlook(&self.picture.row, index).is_there {
-            let Picture { solid, view, row, .. } = &*self.picture;
-            solid.spans_at(view, row, column, Face(0), &mut stack);
+        if is_visible {
+            let Picture { solid, view, row, .. } = &mut *self.picture;
+            let mut step = |t| solid.step::<Cold>(view, row, x, t, Face(0));
+            let Step { inside, mut next } = step(lowest);
+            // Inside from the beginning: no surface is there.
+            let mut enter = inside.then_some(Crossing { t: lowest, face: Face(0) });
+            loop {
+                match enter.take() {
+                    Some(enter) => stack.put(Span { enter, exit: next }),
+                    None if next.t >= R::Scalar::HIGHEST => break,
+                    None => enter = Some(next),
+                }
+                next = step(next.t).next;
+            }
         }
         list.as_slice()
     }
@@ -268,22 +282,22 @@ where
     /// The surface that column `x` sees, if any; its parameter as in [`spans`](Self::spans).
     pub fn seen(&mut self, x: u16) -> Option<Seen<R::Scalar>> {
         let column = u32::from(x);
-        if !T::enter(&mut self.picture.row, column).is_there {
+        if !self.enter(column).is_visible {
             return None;
         }
         self.seen_at(self.x(column))
     }
 
     /// Prepares for the columns from this one on, as [`Scan::enter`] does.
-    pub(super) fn enter(&mut self, column: u32) -> Outlook {
+    pub(super) fn enter(&mut self, column: u32) -> ColumnRun {
         T::enter(&mut self.picture.row, column)
     }
 
     #[inline]
     pub(super) fn seen_at(&mut self, x: i32) -> Option<Seen<R::Scalar>> {
         let Picture { solid, view, row, before, .. } = &mut *self.picture;
-        let Look { inside, next: Crossing { t, face } } =
-            solid.look(view, row, x, *before, Face(0));
+        let Step { inside, next: Crossing { t, face } } =
+            solid.step::<Hot>(view, row, x, *before, Face(0));
         (t < R::Scalar::HIGHEST).then_some(Seen { t, face, inside })
     }
 
@@ -349,7 +363,8 @@ where
         let Seen { mut t, inside, .. } = self.seen;
         let mut sum = if inside { t.minus(self.camera.start()) } else { R::Scalar::ZERO };
         while t < R::Scalar::HIGHEST {
-            let Look { inside, next } = self.solid.look(self.view, self.row, self.x, t, Face(0));
+            let Step { inside, next } =
+                self.solid.step::<Hot>(self.view, self.row, self.x, t, Face(0));
             if inside {
                 sum = sum.plus(next.t.minus(t));
             }

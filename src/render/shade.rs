@@ -3,7 +3,8 @@
 use super::Sample;
 use crate::geom::{Rays, Vec3};
 use crate::scalar::{Number, Scalar};
-use crate::solid::{Scan, Solid};
+use crate::scan::Scan;
+use crate::solid::Solid;
 
 /// Turns what a pixel sees into a level, 0 (dark) to 255.
 ///

@@ -3,7 +3,8 @@
 use super::picture::{Picture, RowError, Scanline};
 use super::{Blend, Camera, Pixel, Shader, Size};
 use crate::geom::Rays;
-use crate::solid::{Outlook, Scan, Seen, Solid};
+use crate::scan::{ColumnRun, Scan};
+use crate::solid::{Seen, Solid};
 use crate::span::Face;
 
 /// What a smooth picture remembers of a column: of the corner at its left, and of the pixel before.
@@ -287,7 +288,7 @@ fn face<S>(seen: Option<Seen<S>>) -> Face {
 struct Walk<'p, 'a, T: Scan<R>, R: Rays, H, P> {
     line: Scanline<'p, 'a, T, R, H, P>,
     /// What was entered last.
-    outlook: Outlook,
+    run: ColumnRun,
 }
 
 impl<'p, 'a, T, R, H, P> Walk<'p, 'a, T, R, H, P>
@@ -298,21 +299,21 @@ where
     P: Pixel,
 {
     fn new(line: Scanline<'p, 'a, T, R, H, P>) -> Self {
-        Self { line, outlook: Outlook { is_there: false, until: 0 } }
+        Self { line, run: ColumnRun { is_visible: false, until: 0 } }
     }
 
     /// What a column sees; not one to the left of the last.
     #[inline]
     fn seen(&mut self, column: u32) -> Option<Seen<R::Scalar>> {
-        if column >= self.outlook.until {
-            self.outlook = self.line.enter(column);
+        if column >= self.run.until {
+            self.run = self.line.enter(column);
         }
-        if self.outlook.is_there { self.look(column) } else { None }
+        if self.run.is_visible { self.step(column) } else { None }
     }
 
     // Four loops ask for it, and its code is long.
     #[inline(never)]
-    fn look(&mut self, column: u32) -> Option<Seen<R::Scalar>> {
+    fn step(&mut self, column: u32) -> Option<Seen<R::Scalar>> {
         self.line.seen_at(self.line.x(column))
     }
 

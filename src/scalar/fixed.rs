@@ -4,10 +4,11 @@
 //! whether it is positive is never a matter of rounding.
 
 use super::armv6m::{leading_zeros, product, unsigned_product};
+use super::formula::{FixedPoint, Formula, Roots};
 use super::integer::{divide, narrow, normalized, reciprocal, rounded_to_i32, shift_right, sqrt};
 use super::number::sealed::Sealed;
 use super::rebase::Rebased;
-use super::{Chord, FixedI32, Number, Scalar, Scale, Wide};
+use super::{FixedI32, Number, Scalar, Scale, Wide};
 use ::fixed::types::extra::{LeEqU32, U28};
 
 /// A number of fraction bits from 8 to 28.
@@ -209,13 +210,13 @@ impl<F: Fraction> Scalar for FixedI32<F> {
         k: [Wide; K],
         q: [Self; N],
         m: [Unit; N],
-    ) -> Chord<Self> {
+    ) -> Option<Roots<Self>> {
         // Bits of a and b have 2·28 and F + 28 digits behind the point; r² has 2F.
         let m = m.map(Unit::to_bits);
         let (a, exponent) = normalized(sum_of_squares(m));
         // |m| below 2^-14 has less than 14 bits.
         if a == 0 || exponent < 2 * (UNIT_BITS as i32 - 14) - 31 {
-            return Chord::Along;
+            return None;
         }
         // 1/a = inverse · 2^(−63 − exponent + 56)
         let inverse = u64::from(reciprocal(a));
@@ -226,13 +227,13 @@ impl<F: Fraction> Scalar for FixedI32<F> {
         let to_k = to_k + one_over_a + 2 * (drop + F::BITS as i32 - Wide::FRACTION_BITS as i32);
         if squared > 0 && to_k > 0 {
             // Far more than the square of any radius.
-            return Chord::Beside;
+            return Some(Roots::Outside);
         }
         let distance_squared =
             (u64::from(squared) * inverse).checked_shr(to_k.unsigned_abs()).unwrap_or(0);
         let square = product(radius.to_bits(), radius.to_bits()).unsigned_abs();
         let Some(square) = square.checked_sub(distance_squared).filter(|&square| square > 0) else {
-            return Chord::Beside;
+            return Some(Roots::Outside);
         };
         let (square, exponent) = normalized(square);
         let half = root(u64::from(square) * inverse, exponent + one_over_a);
@@ -245,7 +246,7 @@ impl<F: Fraction> Scalar for FixedI32<F> {
         // Only the ends are held inside the range: far outside, both parts may be beyond it.
         let middle = -shift_right(product, shift);
         let [enter, exit] = [middle.saturating_sub(half), middle.saturating_add(half)];
-        Chord::Between(Self::from_bits(narrow(enter)), Self::from_bits(narrow(exit)))
+        Some(Roots::Between(Self::from_bits(narrow(enter)), Self::from_bits(narrow(exit))))
     }
 
     #[inline(never)]
@@ -274,8 +275,32 @@ impl<F: Fraction> Scalar for FixedI32<F> {
         level.clamp(0, 255) as u8
     }
 
+    #[inline(always)]
+    fn compute<A: Formula<Self>>(formula: A) -> A::Output {
+        formula.fixed()
+    }
+
     #[inline]
     fn rebased(origin: [Self; 3], direction: [Self; 3]) -> Rebased<Self> {
         Rebased::unchanged(origin, direction)
+    }
+}
+
+impl<F: Fraction> FixedPoint for FixedI32<F> {
+    const BITS: u32 = F::BITS;
+
+    #[inline]
+    fn to_bits(self) -> i32 {
+        Self::to_bits(self)
+    }
+
+    #[inline]
+    fn from_bits(bits: i32) -> Self {
+        Self::from_bits(bits)
+    }
+
+    #[inline]
+    fn unit_bits(unit: Unit) -> i32 {
+        unit.to_bits()
     }
 }

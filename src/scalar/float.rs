@@ -4,11 +4,12 @@ use super::error_free::{
     dot3, product_difference, quick_square_less, quick_square_less_f32, square_less_f32,
     square_less_f64, two_product, two_product_f32, two_sum,
 };
+use super::formula::{Formula, Roots};
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
 use super::hardware::sqrt as sqrt_f32;
 use super::number::sealed::Sealed;
 use super::rebase::{Rebased, rebased};
-use super::{Chord, Number, Real, Scalar};
+use super::{Number, Real, Scalar};
 #[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
 use libm::sqrtf as sqrt_f32;
 
@@ -257,17 +258,19 @@ macro_rules! float {
                 k: [Self::Wide; K],
                 q: [Self; N],
                 m: [Self; N],
-            ) -> Chord<Self> {
+            ) -> Option<Roots<Self>> {
                 let a = sum_of_products(m, m);
                 if !a.is_normal() {
-                    return Chord::Along;
+                    return None;
                 }
                 let discriminant = radius * radius * a - sum_of_products(k, k);
-                let Some(discriminant) = discriminant.positive() else { return Chord::Beside };
+                let Some(discriminant) = discriminant.positive() else {
+                    return Some(Roots::Outside);
+                };
                 let inverse = 1.0 / a;
                 let middle = -sum_of_products(q, m) * inverse;
                 let half = Real::sqrt(discriminant) * inverse;
-                Chord::Between(middle - half, middle + half)
+                Some(Roots::Between(middle - half, middle + half))
             }
 
             #[inline]
@@ -296,6 +299,11 @@ macro_rules! float {
                 } else {
                     level as u8
                 }
+            }
+
+            #[inline(always)]
+            fn compute<A: Formula<Self>>(formula: A) -> A::Output {
+                formula.float()
             }
 
             #[inline(always)]

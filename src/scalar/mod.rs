@@ -14,6 +14,7 @@ mod double;
 mod error_free;
 mod fixed;
 mod float;
+mod formula;
 #[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64"))))]
 mod fused;
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
@@ -26,6 +27,7 @@ mod root;
 mod scale;
 mod wide;
 
+pub use self::formula::{FixedPoint, Formula, Roots};
 pub use self::number::{Number, Real};
 pub use self::scale::Scale;
 pub use self::wide::Wide;
@@ -130,12 +132,14 @@ pub trait Scalar: Number {
     /// [`moment`](Self::moment). It has more digits, because |k|/|m| is the distance of the line, however
     /// small m is. With a = |m|² the middle is t = −q·m/a, and the
     /// half-chord `√(r²a − |k|²)/a`.
+    ///
+    /// `None` if the line has no direction here: m is zero, or too small to divide by its square.
     fn chord<const K: usize, const N: usize>(
         radius: Self,
         k: [Self::Wide; K],
         q: [Self; N],
         m: [Self::Unit; N],
-    ) -> Chord<Self>;
+    ) -> Option<Roots<Self>>;
 
     /// The length of a vector.
     fn length(vector: [Self; 3]) -> Self;
@@ -150,18 +154,13 @@ pub trait Scalar: Number {
     /// `self` on the scale 0..=255, rounded to nearest; below 0 is 0, above 1 is 255, NaN is 0.
     fn to_level(self) -> u8;
 
+    /// The formula's result, by the body for this kind of number.
+    #[doc(hidden)]
+    fn compute<F: Formula<Self>>(formula: F) -> F::Output
+    where
+        Self: Sized;
+
     /// A line with another parameter, in which the numbers stay small; see [`Rebased`].
     #[doc(hidden)]
     fn rebased(origin: [Self; 3], direction: [Self; 3]) -> Rebased<Self>;
-}
-
-/// The part of a line within some distance of a point or an axis: see [`Scalar::chord`].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Chord<S> {
-    /// None.
-    Beside,
-    /// Between two parameters, of which the first is the smaller.
-    Between(S, S),
-    /// The line has no direction here: m is zero, or too small to divide by its square.
-    Along,
 }

@@ -1,18 +1,17 @@
 //! The memory of the span merge: a fixed array, and the stack that solids push to.
 
-use super::{Operation, Span, merge};
-use crate::scalar::Scalar;
+use super::span::Span;
 use heapless::{Vec, VecView};
 
 /// Room for the spans of a line with a solid, and for merging them.
 ///
-/// `N` must be at least the [`Shape::STACK`](crate::solid::Shape::STACK) of the solid; less does
+/// `N` must be at least the [`Shape::STACK`](crate::span::Shape::STACK) of the solid; less does
 /// not compile:
 ///
 /// ```
 /// use scancsg::geom::{Ray, vec3};
-/// use scancsg::solid::{Shape, Solid, Sphere, Union};
-/// use scancsg::span::SpanList;
+/// use scancsg::solid::{RayCast, Sphere, Union};
+/// use scancsg::span::{Shape, SpanList};
 ///
 /// type Pair = Union<Sphere<f32>, Sphere<f32>>;
 ///
@@ -26,8 +25,8 @@ use heapless::{Vec, VecView};
 ///
 /// ```compile_fail,E0080
 /// use scancsg::geom::{Ray, vec3};
-/// use scancsg::solid::{Shape, Solid, Sphere, Union};
-/// use scancsg::span::SpanList;
+/// use scancsg::solid::{RayCast, Sphere, Union};
+/// use scancsg::span::{Shape, SpanList};
 ///
 /// type Pair = Union<Sphere<f32>, Sphere<f32>>;
 ///
@@ -118,17 +117,28 @@ impl<S> SpanStack<'_, S> {
         self.spans.len()
     }
 
+    /// Drops the spans from `start` on that have no length, or don't lie behind the one before them.
+    pub(crate) fn keep_ordered(&mut self, start: usize)
+    where
+        S: PartialOrd + Copy,
+    {
+        let (mut kept, mut last) = (start, None);
+        for index in start..self.spans.len() {
+            let Some(&span) = self.spans.get(index) else { break };
+            if span.enter.t < span.exit.t && last.is_none_or(|last| last < span.enter.t) {
+                if let Some(place) = self.spans.get_mut(kept) {
+                    *place = span;
+                }
+                (kept, last) = (kept + 1, Some(span.exit.t));
+            }
+        }
+        self.spans.truncate(kept);
+    }
+
     /// Whether there is no span at all.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.spans.is_empty()
-    }
-}
-
-impl<S: Scalar> SpanStack<'_, S> {
-    /// [`merge`] for solids, which always have the room.
-    pub(crate) fn merge(&mut self, operation: Operation, left: usize, right: usize) {
-        let _ = merge(operation, self, left, right);
     }
 }
 

@@ -8,7 +8,8 @@
 //! All crossings at one parameter are taken together before the state is looked at. That makes
 //! the result regularised and independent of the order of the operands, without any tolerance.
 
-use super::{Crossing, Span, SpanStack, StackFull};
+use super::list::{SpanStack, StackFull};
+use super::span::{Crossing, Span};
 use crate::scalar::Scalar;
 
 /// A boolean operation, as the set of states in which the line is inside the result.
@@ -27,22 +28,22 @@ impl Operation {
 
     /// Whether the result is inside in this state.
     #[must_use]
-    pub const fn holds(self, in_left: bool, in_right: bool) -> bool {
+    pub const fn contains(self, in_left: bool, in_right: bool) -> bool {
         self.0 >> (in_left as u8 + 2 * in_right as u8) & 1 != 0
     }
 
     /// Whether a line can be inside the result, where it can be inside the operands or not.
     #[must_use]
-    pub(crate) const fn may_hold(self, left: bool, right: bool) -> bool {
-        left && self.holds(true, false)
-            || right && self.holds(false, true)
-            || left && right && self.holds(true, true)
+    pub(crate) const fn may_contain(self, left: bool, right: bool) -> bool {
+        left && self.contains(true, false)
+            || right && self.contains(false, true)
+            || left && right && self.contains(true, true)
     }
 
     /// Whether the result is empty wherever the left operand is.
     #[must_use]
     pub const fn needs_left(self) -> bool {
-        !self.holds(false, true)
+        !self.contains(false, true)
     }
 }
 
@@ -78,8 +79,8 @@ pub fn merge<S: Scalar>(
     right: usize,
 ) -> Result<(), StackFull> {
     let end = stack.len();
-    let keeps_left = operation.holds(true, false);
-    let keeps_right = operation.holds(false, true);
+    let keeps_left = operation.contains(true, false);
+    let keeps_right = operation.contains(false, true);
     if (end == right && keeps_left) || (left == right && keeps_right) {
         return Ok(());
     }
@@ -123,7 +124,7 @@ pub fn merge<S: Scalar>(
                 if right_first { r } else { l }
             }
         };
-        let inside = operation.holds(left_crossings.inside, right_crossings.inside);
+        let inside = operation.contains(left_crossings.inside, right_crossings.inside);
         match (entered, inside) {
             (None, true) => entered = Some(crossing),
             (Some(enter), false) => {
@@ -149,6 +150,13 @@ pub fn merge<S: Scalar>(
     }
     stack.spans.truncate(to);
     Ok(())
+}
+
+impl<S: Scalar> SpanStack<'_, S> {
+    /// [`merge`] for solids, which always have the room.
+    pub(crate) fn merge(&mut self, operation: Operation, left: usize, right: usize) {
+        let _ = merge(operation, self, left, right);
+    }
 }
 
 /// Whether the span in front of `one` ends before the span at `other` begins.

@@ -11,7 +11,7 @@ use scancsg::render::{
 };
 use scancsg::scalar::{I16F16, Scalar};
 use scancsg::solid::{
-    Cylinder, CylinderWall, Difference, Intersection, Scan, Slab, Solid, Sphere, Union,
+    Cylinder, CylinderWall, Difference, Intersection, RayCast, Scan, Slab, Solid, Sphere, Union,
 };
 use scancsg::span::{Span, SpanList};
 

@@ -2,7 +2,7 @@
 //! themselves are in `cylinders`, the laws of boolean algebra in `laws`.
 
 use crate::number::{Tested, assert_spans, ball, ray, rod, spans};
-use scancsg::solid::Solid;
+use scancsg::solid::RayCast;
 use scancsg::span::SpanList;
 
 for_every_number!(

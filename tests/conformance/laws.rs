@@ -8,7 +8,7 @@ use crate::number::{Tested, between, coordinates, ray, rod, spans, vector};
 use proptest::prelude::*;
 use scancsg::geom::{Line, Pose, Ray, Vec3, vec3};
 use scancsg::solid::{
-    Cylinder, Difference, Intersection, Placed, Shape, Slab, Solid, Sphere, Union,
+    Cylinder, Difference, Intersection, Placed, RayCast, Shape, Slab, Solid, Sphere, Union,
 };
 use scancsg::span::{Face, SpanList, SpanStack};
 

@@ -18,7 +18,9 @@ use scancsg::geom::{Ray, Rays, vec3};
 use scancsg::render::{
     Camera, Depth, Gray8, Lambert, Orthographic, Perspective, Picture, Shader, Size, XRay,
 };
-use scancsg::solid::{Cylinder, Difference, Intersection, Scan, Slab, Solid, Sphere, Union};
+use scancsg::solid::{
+    Cylinder, Difference, Intersection, RayCast, Scan, Slab, Solid, Sphere, Union,
+};
 use scancsg::span::SpanList;
 
 for_every_number!(
@@ -547,7 +549,7 @@ where
     let [mut of_row, mut of_ray] = [const { SpanList::<f64, 64>::new() }; 2];
     let mut count = 0;
     for y in 0..61 {
-        let scanline = picture.scanline(y).unwrap();
+        let mut scanline = picture.scanline(y).unwrap();
         for x in 0..97 {
             let ModelRay { origin, direction } = view.ray([x, scanline.y()], size, [0.0; 2]);
             let of = |[x, y, z]: V| vec3(x, y, z);

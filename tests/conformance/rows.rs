@@ -2,9 +2,10 @@
 
 use crate::number::{Tested, ball, between, rod, vector};
 use proptest::prelude::*;
-use scancsg::geom::{Column, Rays, Vec3};
+use scancsg::geom::{Rays, Vec3};
 use scancsg::render::{Camera, Gray8, Orthographic, Perspective, Picture, Size, XRay};
-use scancsg::solid::{Empty, Scan, Solid};
+use scancsg::scan::{Empty, Leaf};
+use scancsg::solid::{Scan, Solid};
 use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
 
 for_every_number!(
@@ -146,18 +147,20 @@ fn check_extents<S, T, R>(solid: &T, rays: &R, height: u16) -> Result<(), TestCa
 where
     S: Tested,
     R: Rays<Scalar = S>,
-    T: Solid<Scalar = S> + Scan<R>,
+    T: Leaf<R, Scalar = S, Spans = [Span<S>; 1]>,
 {
-    let mut list = SpanList::<S, 1>::new();
-    let (mut view, mut row) = (T::View::EMPTY, T::Row::EMPTY);
-    solid.view(rays, &mut view);
+    let view = solid.view(rays);
     for y in 0..height {
-        solid.row(&view, from_middle(y.into(), height.into()), rays.columns(), &mut row);
+        let y = from_middle(y.into(), height.into());
+        let mut row = T::Row::EMPTY;
+        let extent = solid.row(&view, y, rays.columns(), &mut row);
+        let is_in_row = solid.is_in_rows(&view, [y; 2]);
         for index in 0..rays.columns() {
-            if !T::outlook(&row, index).is_there {
-                let column = Column { index, x: from_middle(index, rays.columns()) };
-                solid.spans_at(&view, &row, column, Face(0), &mut list.stack());
-                prop_assert!(list.is_empty(), "{:?}", column);
+            if !(is_in_row && extent.contains(index)) {
+                let mut spans = [Span::whole_line(Face(0))];
+                let x = from_middle(index, rays.columns());
+                solid.spans(&view, &row, x, &mut spans);
+                prop_assert!(Span::new(spans[0].enter, spans[0].exit).is_none(), "{x}, {y}");
             }
         }
     }

@@ -1,16 +1,16 @@
-//! Smooth pictures against a model that asks every point of the grid for its whole list of spans, and
+//! Smooth pictures against a model that asks every point of the grid on its own, and
 //! against ordinary pictures of n times the size.
 
 use crate::number::{Tested, ball, rod, vector};
-use scancsg::geom::{Column, Rays, Vec3};
+use scancsg::geom::{Rays, Vec3};
 use scancsg::render::{
     Blend, Camera, Gray8, Lambert, Orthographic, Perspective, Picture, Rgb565, RowError, Sample,
     Shader, Size, SmoothColumn, SmoothError, SmoothPicture, Smoothing,
 };
-use scancsg::solid::{
-    Cylinder, Difference, Empty, Painted, Rgb, Scan, Solid, Sphere, Union, first_seen,
-};
-use scancsg::span::{Face, SpanList};
+use scancsg::scan::Empty;
+use scancsg::solid::{Cylinder, Difference, Painted, Rgb, Scan, Solid, Sphere, Union};
+use scancsg::span::Face;
+use scancsg::span::walk::Cold;
 use std::fmt::Debug;
 
 for_every_number!(
@@ -110,18 +110,21 @@ where
     let rays = camera.rays(Size::new(across as u16, down as u16).unwrap());
     let (mut view, mut row) = (T::View::EMPTY, T::Row::EMPTY);
     solid.view(&rays, &mut view);
-    let mut list = SpanList::<S, 8>::new();
     (0..=down)
         .map(|y| {
             solid.row(&view, 2 * y - down, across as u32 + 1, &mut row);
             let mut point = |x| {
-                let column = Column { index: x as u32, x: 2 * x - across };
-                solid.spans_at(&view, &row, column, Face(0), &mut list.stack());
-                let Some(seen) = first_seen(&list, rays.start()) else {
+                if !T::enter(&mut row, x as u32).is_visible {
                     return (None, background);
-                };
-                let color = solid.color(seen.face).unwrap();
-                (Some(seen.face), P::shaded(color, noise(seen.face, seen.t)))
+                }
+                let before = rays.start().next_below();
+                let next =
+                    solid.step::<Cold>(&view, &mut row, 2 * x - across, before, Face(0)).next;
+                if next.t >= S::HIGHEST {
+                    return (None, background);
+                }
+                let color = solid.color(next.face).unwrap();
+                (Some(next.face), P::shaded(color, noise(next.face, next.t)))
             };
             (0..=across).map(&mut point).collect()
         })

@@ -6,7 +6,7 @@
 use crate::number::{Tested, ray};
 use proptest::collection::{btree_set, vec};
 use proptest::prelude::*;
-use scancsg::solid::{Difference, Intersection, Shape, Slab, Solid, Union};
+use scancsg::solid::{Difference, Intersection, RayCast, Shape, Slab, Solid, Union};
 use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
 
 /// Grid points are the whole numbers from `LOW` to `HIGH`; bit i is the cell from LOW + i on.

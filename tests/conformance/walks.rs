@@ -1,97 +1,142 @@
 //! What a pixel sees is found by a walk that computes no list, and asks only for what can matter in a run
-//! of columns. It must be what the list of all spans says, bit by bit, with the same faces: of the same
-//! tree with primitives that claim to be seen everywhere, so that none of them is left out of the list.
+//! of columns. It must be what the list of all spans says, bit by bit, with the same faces: the merge of
+//! what each leaf says, by the same tree, without silhouettes, so that none is left out of the list.
 
 use crate::number::{Tested, ball, between, vector};
 use crate::rows::{direction, from_middle, up};
 use proptest::prelude::*;
-use scancsg::geom::{Column, OrthographicRays, PerspectiveRays, Pose, Rays, Vec3};
+use scancsg::geom::{Line, OrthographicRays, PerspectiveRays, Pose, Rays, Vec3};
 use scancsg::render::{Camera, Orthographic, Perspective, Size};
+use scancsg::scan::{ColumnRun, Empty, Leaf, Scan};
 use scancsg::solid::{
-    Cylinder, Difference, Empty, Intersection, Look, Outlook, Painted, Placed, Rgb, Scan, Shape,
-    Slab, Sphere, Union,
+    Cylinder, Difference, Intersection, Painted, Placed, Rgb, Slab, Solid, Sphere, Union,
 };
-use scancsg::span::{Face, SpanList, SpanStack};
-use std::cell::Cell;
+use scancsg::span::walk::{Cold, Hot, Path, Step};
+use scancsg::span::{Crossing, Face, Shape, Span, SpanList, SpanStack};
+use std::any::Any;
+use std::cell::{Cell, RefCell};
 use std::ops::{BitAnd, BitOr, Sub};
 
 for_every_number!(trees_of_whatever_touches, trees_of_whatever_lies_askew, many_in_a_row,);
 
-/// A primitive without a silhouette: it may be seen in all columns of a row, and in all blocks of rows.
-#[derive(Debug, Clone, Copy)]
-struct Everywhere<T>(T);
+thread_local! {
+    /// The leaves of the tree that lists everything, in their order.
+    static LEAVES: RefCell<Vec<ListedLeaf>> = const { RefCell::new(Vec::new()) };
+    /// The pixel that is asked for: `x` and `y` in half pixels, and the number of columns.
+    static PIXEL: Cell<(i32, i32, u32)> = const { Cell::new((0, 0, 0)) };
+}
 
-impl<T: Shape> Shape for Everywhere<T> {
+/// A leaf, asked for its span in a pixel.
+struct ListedLeaf {
+    /// The first of its faces among all of the tree, and their number.
+    first: u16,
+    faces: u16,
+    /// Pushes the span, if there is one, to a stack of the right type.
+    push: Box<dyn Fn(&mut dyn Any)>,
+}
+
+/// A primitive whose spans, along whatever line, are what it says as a [`Leaf`] of the pixel asked for:
+/// so that a tree of such primitives merges lists. Without a silhouette: it is asked in all columns and
+/// in all rows.
+#[derive(Debug, Clone, Copy)]
+struct Listed<T>(T);
+
+impl<T: Shape> Shape for Listed<T> {
     type Scalar = T::Scalar;
     const SPANS: usize = T::SPANS;
     const STACK: usize = T::STACK;
     const FACES: u16 = T::FACES;
 }
 
-impl<R, T: Scan<R>> Scan<R> for Everywhere<T> {
-    type View = T::View;
-    type Row = T::Row;
-
-    fn view(&self, rays: &R, view: &mut T::View) {
-        self.0.view(rays, view);
+impl<T: Solid> Solid for Listed<T> {
+    fn spans(&self, _: &Line<T::Scalar>, first: Face, stack: &mut SpanStack<'_, T::Scalar>) {
+        let mut span: Option<Span<T::Scalar>> = None;
+        LEAVES.with_borrow(|leaves| {
+            let leaf = leaves.iter().find(|leaf| leaf.first == first.0).unwrap();
+            (leaf.push)(&mut span);
+        });
+        if let Some(Span { enter, exit }) = span {
+            let at = |crossing: Crossing<_>| Crossing {
+                face: Face(first.0 + crossing.face.0),
+                ..crossing
+            };
+            stack.push(Span { enter: at(enter), exit: at(exit) }).unwrap();
+        }
     }
 
-    fn row(&self, view: &T::View, y: i32, columns: u32, row: &mut T::Row) {
-        // In a row where it can't be seen, it leaves what it was.
-        *row = T::Row::EMPTY;
-        self.0.row(view, y, columns, row);
-    }
-
-    fn outlook(_: &T::Row, _: u32) -> Outlook {
-        Outlook { is_there: true, until: u32::MAX }
-    }
-
-    fn enter(row: &mut T::Row, column: u32) -> Outlook {
-        <Self as Scan<R>>::outlook(row, column)
-    }
-
-    fn spans_at(
-        &self,
-        view: &T::View,
-        row: &T::Row,
-        column: Column,
-        first: Face,
-        stack: &mut SpanStack<'_, T::Scalar>,
-    ) {
-        self.0.spans_at(view, row, column, first, stack);
-    }
-
-    fn holds(&self, view: &T::View, row: &mut T::Row, x: i32, t: T::Scalar) -> bool {
-        self.0.holds(view, row, x, t)
-    }
-
-    fn look(
-        &self,
-        view: &T::View,
-        row: &mut T::Row,
-        x: i32,
-        t: T::Scalar,
-        first: Face,
-    ) -> Look<T::Scalar> {
-        self.0.look(view, row, x, t, first)
+    fn normal(&self, face: Face, at: Vec3<T::Scalar>) -> Vec3<T::Scalar> {
+        self.0.normal(face, at)
     }
 }
 
-impl<T, Right> BitOr<Right> for Everywhere<T> {
+impl<R, T> Scan<R> for Listed<T>
+where
+    T: Leaf<R, Spans = [Span<<T as Shape>::Scalar>; 1]> + Copy + 'static,
+    R: 'static,
+{
+    type View = Option<()>;
+    type Row = Option<()>;
+
+    /// Views are set in the order of faces.
+    fn view(&self, rays: &R, _: &mut Option<()>) {
+        let leaf = self.0;
+        let view = leaf.view(rays);
+        let held = RefCell::new((i32::MIN, T::Row::EMPTY));
+        let push = move |span: &mut dyn Any| {
+            let (x, y, columns) = PIXEL.get();
+            let (of_row, row) = &mut *held.borrow_mut();
+            if *of_row != y {
+                (*of_row, *row) = (y, T::Row::EMPTY);
+                let _ = leaf.row(&view, y, columns, row);
+            }
+            let mut spans = [Span::whole_line(Face(0))];
+            leaf.spans(&view, row, x, &mut spans);
+            let [Span { enter, exit }] = spans;
+            *span.downcast_mut().unwrap() = Span::new(enter, exit);
+        };
+        LEAVES.with_borrow_mut(|leaves| {
+            let first = leaves.last().map_or(0, |leaf| leaf.first + leaf.faces);
+            leaves.push(ListedLeaf { first, faces: T::FACES, push: Box::new(push) });
+        });
+    }
+
+    fn row(&self, _: &Option<()>, _: i32, _: u32, _: &mut Option<()>) {}
+
+    fn enter(_: &mut Option<()>, _: u32) -> ColumnRun {
+        ColumnRun { is_visible: true, until: u32::MAX }
+    }
+
+    fn contains<P: Path>(&self, _: &Option<()>, _: &mut Option<()>, _: i32, _: T::Scalar) -> bool {
+        unreachable!("only lists are asked for")
+    }
+
+    fn step<P: Path>(
+        &self,
+        _: &Option<()>,
+        _: &mut Option<()>,
+        _: i32,
+        _: T::Scalar,
+        _: Face,
+    ) -> Step<T::Scalar> {
+        unreachable!("only lists are asked for")
+    }
+}
+
+impl<T, Right> BitOr<Right> for Listed<T> {
     type Output = Union<Self, Right>;
     fn bitor(self, right: Right) -> Self::Output {
         Union::new(self, right)
     }
 }
 
-impl<T, Right> BitAnd<Right> for Everywhere<T> {
+impl<T, Right> BitAnd<Right> for Listed<T> {
     type Output = Intersection<Self, Right>;
     fn bitand(self, right: Right) -> Self::Output {
         Intersection::new(self, right)
     }
 }
 
-impl<T, Right> Sub<Right> for Everywhere<T> {
+impl<T, Right> Sub<Right> for Listed<T> {
     type Output = Difference<Self, Right>;
     fn sub(self, right: Right) -> Self::Output {
         Difference::new(self, right)
@@ -118,10 +163,11 @@ impl<'a, R, T: Scan<R>> Staged<'a, T, R> {
 }
 
 /// A row of a solid, the ways to enter it, and the row of the same solid that lists everything.
-struct Walker<'a, T: Scan<R>, W: Scan<R>, R> {
+struct Walker<'a, T: Scan<R>, W, R> {
     walked: Staged<'a, T, R>,
-    listed: Staged<'a, W, R>,
+    listed: &'a W,
     columns: u32,
+    y: i32,
 }
 
 impl<S, T, W, R> Walker<'_, T, W, R>
@@ -129,13 +175,13 @@ where
     S: Tested,
     R: Rays<Scalar = S>,
     T: Scan<R, Scalar = S>,
-    W: Scan<R, Scalar = S>,
+    W: Solid<Scalar = S>,
 {
     /// Enters each run once and asks in all of its columns; then each column on its own, from the last one
     /// to the first, and every third one. Returns the number of crossings.
     fn check_row(&mut self) -> Result<u32, TestCaseError> {
         let mut crossings = 0;
-        let mut run = Outlook { is_there: false, until: 0 };
+        let mut run = ColumnRun { is_visible: false, until: 0 };
         for index in 0..self.columns {
             if index == run.until {
                 run = T::enter(&mut self.walked.row, index);
@@ -152,32 +198,38 @@ where
     }
 
     /// Walks along the ray of a column that was entered, and wants the crossings of its list.
-    fn check(&mut self, index: u32, run: Outlook) -> Result<u32, TestCaseError> {
+    fn check(&mut self, index: u32, run: ColumnRun) -> Result<u32, TestCaseError> {
         let Self { walked: Staged { solid, view, row }, listed, .. } = self;
-        let column = Column { index, x: from_middle(index, self.columns) };
+        let x = from_middle(index, self.columns);
+        PIXEL.set((x, self.y, self.columns));
         let mut list = SpanList::<S, 64>::new();
-        listed.solid.spans_at(&listed.view, &listed.row, column, Face(0), &mut list.stack());
+        listed.spans(
+            &Line { origin: Vec3::ZERO, direction: Vec3::ZERO },
+            Face(0),
+            &mut list.stack(),
+        );
         let mut wanted = list.iter().flat_map(|span| [span.enter, span.exit]);
         let mut inside = list.first().is_some_and(|span| span.enter.t == S::LOWEST);
         if inside {
             wanted.next();
         }
         let mut count = 0;
-        if run.is_there {
+        if run.is_visible {
             let mut t = S::LOWEST;
             loop {
-                prop_assert_eq!(solid.holds(view, row, column.x, t), inside);
-                let look = solid.look(view, row, column.x, t, Face(0));
-                prop_assert_eq!(look.inside, inside);
-                if look.next.t == S::HIGHEST {
+                prop_assert_eq!(solid.contains::<Hot>(view, row, x, t), inside);
+                let step = solid.step::<Hot>(view, row, x, t, Face(0));
+                prop_assert_eq!(step, solid.step::<Cold>(view, row, x, t, Face(0)));
+                prop_assert_eq!(step.inside, inside);
+                if step.next.t == S::HIGHEST {
                     break;
                 }
-                prop_assert_eq!(Some(look.next), wanted.next());
-                (t, inside) = (look.next.t, !inside);
+                prop_assert_eq!(Some(step.next), wanted.next());
+                (t, inside) = (step.next.t, !inside);
                 count += 1;
             }
         }
-        prop_assert!(wanted.all(|crossing| crossing.t == S::HIGHEST), "{:?}", column);
+        prop_assert!(wanted.all(|crossing| crossing.t == S::HIGHEST), "{x}, {}", self.y);
         Ok(count)
     }
 }
@@ -192,17 +244,19 @@ where
     S: Tested,
     R: Rays<Scalar = S>,
     T: Scan<R, Scalar = S>,
-    W: Scan<R, Scalar = S>,
+    W: Solid<Scalar = S> + Scan<R>,
 {
     let columns = rays.columns();
-    let (walked, listed) = (Staged::new(solid, rays), Staged::new(all, rays));
-    let mut walker = Walker { walked, listed, columns };
+    LEAVES.with_borrow_mut(Vec::clear);
+    let mut view = W::View::EMPTY;
+    all.view(rays, &mut view);
+    let mut walker = Walker { walked: Staged::new(solid, rays), listed: all, columns, y: 0 };
     let mut crossings = 0;
     // In order, and in another one.
     for y in (0..height).chain((0..height).rev().step_by(3)) {
         let y = from_middle(y.into(), height.into());
+        walker.y = y;
         walker.walked.set_row(y, columns);
-        walker.listed.set_row(y, columns);
         crossings += walker.check_row()?;
     }
     Ok(crossings)
@@ -218,12 +272,12 @@ struct Views {
 }
 
 impl Views {
-    /// A solid against the same one of primitives that are everywhere.
+    /// A solid against the same one of primitives that are listed.
     fn check<S, T, W>(&self, solid: &T, all: &W) -> Result<u32, TestCaseError>
     where
         S: Tested,
         T: Scan<OrthographicRays<S>, Scalar = S> + Scan<PerspectiveRays<S>, Scalar = S>,
-        W: Scan<OrthographicRays<S>, Scalar = S> + Scan<PerspectiveRays<S>, Scalar = S>,
+        W: Solid<Scalar = S> + Scan<OrthographicRays<S>> + Scan<PerspectiveRays<S>>,
     {
         let height = self.size.height();
         let mut crossings = 0;
@@ -284,9 +338,8 @@ impl<S: Tested> Drawn<S> {
     fn check(&self, views: &Views) -> Result<u32, TestCaseError> {
         let shift = S::translation(vector([0.5, -1.0, 0.5])).unwrap();
         let pose = Pose::rotation_z(S::near(0.5)).and_then(|turn| turn.then(&shift)).unwrap();
-        let all =
-            Leaves::new(self.r.map(Everywhere), self.b.map(Everywhere), self.s.map(Everywhere));
-        // A tree of these, and the same of those that are everywhere.
+        let all = Leaves::new(self.r.map(Listed), self.b.map(Listed), self.s.map(Listed));
+        // A tree of these, and the same of those that are listed.
         macro_rules! check {
             (|$of:ident| $($tree:expr;)+) => {
                 [$({
@@ -384,7 +437,7 @@ fn many_in_a_row<S: Tested>() {
         let slit = S::slab_along(2, S::near(-0.125), S::near(0.125)).unwrap();
         let plate = S::slab_along(2, S::near(-0.5), S::near(0.5)).unwrap();
         let (all, all_slit, all_plate) =
-            (balls.map(Everywhere), Everywhere(slit), Everywhere(plate));
+            (balls.map(Listed), Listed(slit), Listed(plate));
         let views = Views { size: Size::new(96, 3).unwrap(), ..views };
         let count = views.check(&balls, &all)?
             + views.check(&balls.map(|ball| ball - slit), &all.map(|ball| ball - all_slit))?

@@ -5,9 +5,9 @@
 
 use fixed::types::{I8F24, I20F12, I24F8};
 use scancsg::geom::{Pose, PoseError, Ray, Vec3, vec3};
-use scancsg::scalar::I16F16;
+use scancsg::scalar::{I16F16, Scalar};
 use scancsg::solid::{
-    Cylinder, CylinderError, Intersect, Slab, SlabError, Solid, Sphere, SphereError,
+    Cylinder, CylinderError, RayCast, Slab, SlabError, Solid, Sphere, SphereError,
 };
 use scancsg::span::SpanList;
 
@@ -32,7 +32,7 @@ macro_rules! for_every_number {
 }
 
 /// A number type under test.
-pub trait Tested: Intersect {
+pub trait Tested: Scalar {
     /// What the type has that is no number: NaN and both infinities, or nothing.
     const NO_NUMBERS: &'static [Self];
 

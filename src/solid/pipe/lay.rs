@@ -1,12 +1,11 @@
 //! Pipes are laid segment by segment.
 
-use super::many::Many;
 use super::{Joint, Pipe, PipeError};
 use crate::geom::Vec3;
+use crate::quadric::Wall;
 use crate::scalar::{ConstOps, FixedI32, Fraction, Scalar};
-use crate::solid::cylinder::Tube;
 use crate::solid::{
-    Cylinder, CylinderError, Intersection, Slab, SlabError, Sphere, SphereError, Union,
+    Cylinder, CylinderError, Intersection, Many, Slab, SlabError, Sphere, SphereError, Union,
 };
 use crate::spline::Curve;
 
@@ -122,15 +121,15 @@ macro_rules! constructors {
                 self.to = to;
                 match &mut self.laid {
                     Some(laid) => {
-                        if !(laid.cylinders.push(cylinder) && laid.joints.push(joint)) {
+                        if !(laid.cylinders.push(cylinder).is_ok() && laid.joints.push(joint).is_ok()) {
                             return Err(PipeError::Capacity);
                         }
                         laid.last = cylinder;
                     }
                     None => {
                         self.laid = Some(Laid {
-                            cylinders: Many::of(cylinder),
-                            joints: Many::of(joint),
+                            cylinders: Many::new(cylinder),
+                            joints: Many::new(joint),
                             last: cylinder,
                         });
                     }
@@ -143,12 +142,12 @@ macro_rules! constructors {
                     return Err(PipeError::Empty);
                 };
                 if ConstOps::<$Scalar>::is_same(self.from, self.to) {
-                    match ConstOps::<$Scalar>::joint(&last, cylinders.first()) {
-                        Ok(joint) => joints.replace_first(joint),
+                    match ConstOps::<$Scalar>::joint(&last, &cylinders.as_slice()[0]) {
+                        Ok(joint) => joints.as_mut_slice()[0] = joint,
                         Err(error) => return Err(error),
                     }
                 }
-                let segments = cylinders.count();
+                let segments = cylinders.as_slice().len();
                 Ok(Pipe { parts: Union::new(cylinders, joints), segments })
             }
         }
@@ -171,7 +170,7 @@ macro_rules! constructors {
                 before: &Cylinder<$Scalar>,
                 after: &Cylinder<$Scalar>,
             ) -> Result<Joint<$Scalar>, PipeError> {
-                let Tube { base, radius, .. } = after.tube;
+                let Wall { base, radius, .. } = after.wall;
                 let ball = match Sphere::<$Scalar>::new(base, radius) {
                     Ok(ball) => ball,
                     Err(error) => return Err(of_ball(error)),
@@ -179,12 +178,12 @@ macro_rules! constructors {
                 let (end, start) = (before.caps.high, after.caps.low);
                 let width = ConstOps::<$Scalar>::sum(radius, radius);
                 let far = ConstOps::<$Scalar>::sum(end, width);
-                let beyond = match Slab::<$Scalar>::between(before.caps.normal, end, far) {
+                let beyond = match Slab::<$Scalar>::with_normal(before.caps.normal, end, far) {
                     Ok(slab) => slab,
                     Err(error) => return Err(of_slab(error)),
                 };
                 let far = ConstOps::<$Scalar>::difference(start, width);
-                let ahead = match Slab::<$Scalar>::between(after.caps.normal, far, start) {
+                let ahead = match Slab::<$Scalar>::with_normal(after.caps.normal, far, start) {
                     Ok(slab) => slab,
                     Err(error) => return Err(of_slab(error)),
                 };

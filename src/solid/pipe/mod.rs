@@ -1,18 +1,11 @@
 //! The pipe: a tube swept along a curve, as cylinders and pieces of balls.
 
 mod lay;
-mod many;
 
-use super::boolean::Boolean;
-use super::row::{Scan, project_as_within};
-use super::{
-    Cylinder, Difference, Intersect, Intersection, Rgb, Shape, Slab, Solid, Sphere, Union,
-};
-use crate::geom::{Line, Vec3};
+use super::combine::{Intersection, Many, Union};
+use super::primitive::{Cylinder, Slab, Sphere};
+use super::wrap::Wrap;
 use crate::scalar::Scalar;
-use crate::span::{Face, SpanStack};
-use core::ops::{BitAnd, BitOr, Sub};
-use many::Many;
 
 /// What fills the gap on the outside of a bend: the part of a ball beyond the end of one cylinder
 /// and before the beginning of the next.
@@ -35,7 +28,7 @@ type Parts<S, const SEGMENTS: usize> = Union<Many<Cylinder<S>, SEGMENTS>, Many<J
 /// A hollow pipe is the difference of two along the same curve; their ends are flush.
 ///
 /// ```
-/// use scancsg::{constant, geom::{Vec3, vec3}, solid::{Pipe, Shape}, spline::{Curve, Knots}};
+/// use scancsg::{constant, geom::{Vec3, vec3}, solid::Pipe, spline::{Curve, Knots}};
 ///
 /// const KNOTS: Knots<f32, 4, 10> = constant!(Knots::<f32, 4, 10>::clamped_uniform(6, 0.0, 1.0));
 /// const PATH: Curve<Vec3<f32>, 4, 6, 10> = constant!(Curve::<Vec3<f32>, 4, 6, 10>::new(KNOTS, [
@@ -113,39 +106,11 @@ impl<S: Scalar, const SEGMENTS: usize> Pipe<S, SEGMENTS> {
     }
 }
 
-impl<S: Scalar, const SEGMENTS: usize> Shape for Pipe<S, SEGMENTS> {
-    type Scalar = S;
-    const SPANS: usize = Parts::<S, SEGMENTS>::SPANS;
-    const STACK: usize = Parts::<S, SEGMENTS>::STACK;
-    const FACES: u16 = Parts::<S, SEGMENTS>::FACES;
-}
+impl<S: Scalar, const SEGMENTS: usize> Wrap for Pipe<S, SEGMENTS> {
+    type Inner = Parts<S, SEGMENTS>;
 
-impl<S: Intersect, const SEGMENTS: usize> Solid for Pipe<S, SEGMENTS> {
-    fn spans(&self, line: &Line<S>, first: Face, stack: &mut SpanStack<'_, S>) {
-        self.parts.spans(line, first, stack);
+    #[inline]
+    fn inner(&self) -> &Parts<S, SEGMENTS> {
+        &self.parts
     }
-
-    fn onto(&self, face: Face, near: Vec3<S>) -> Vec3<S> {
-        self.parts.onto(face, near)
-    }
-
-    fn normal(&self, face: Face, at: Vec3<S>) -> Vec3<S> {
-        self.parts.normal(face, at)
-    }
-
-    fn color(&self, face: Face) -> Option<Rgb> {
-        self.parts.color(face)
-    }
-}
-
-impl<S, P, const SEGMENTS: usize> Scan<P> for Pipe<S, SEGMENTS>
-where
-    S: Scalar,
-    Parts<S, SEGMENTS>: Scan<P, Scalar = S>,
-{
-    project_as_within!(parts: Parts<S, SEGMENTS>, |_pipe, rays: P| rays);
-}
-
-operators! {
-    [S: Scalar, const SEGMENTS: usize] Pipe<S, SEGMENTS>,
 }

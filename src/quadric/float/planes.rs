@@ -1,0 +1,68 @@
+//! Where a line crosses two parallel planes.
+
+use crate::geom::Line;
+use crate::quadric::{PlaneRoots, Planes};
+use crate::scalar::{Double, Float};
+
+/// Along a coordinate axis the line's height is exact. Along others the height is subtracted before it
+/// is rounded.
+#[inline]
+pub(in crate::quadric) fn planes<S: Float>(planes: &Planes<S>, line: &Line<S>) -> PlaneRoots<S> {
+    let normal = &planes.normal;
+    let speed = normal.dot(line.direction);
+    match normal.along() {
+        Some(_) => planes.crossed(normal.dot(line.origin), speed),
+        None => {
+            let (origin, normal) = (line.origin.to_array(), normal.vector().to_array());
+            let above = |offset| Double::less_dot(offset, origin, normal);
+            planes.crossed_above([planes.low, planes.high].map(above), speed)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::planes;
+    use crate::geom::{Direction, Line, Vec3};
+    use crate::quadric::Planes;
+    use crate::quadric::float::units::units_off;
+    use crate::scalar::Roots;
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+        /// Far from the scene's origin and near the plane, the line's height is rounded to more than what is
+        /// left of it.
+        #[test]
+        fn oblique_planes_as_in_double_precision(
+            normal in prop::array::uniform3(-1f32..1.0), base in prop::array::uniform3(-100f32..100.0),
+            o in prop::array::uniform3(-2f32..2.0), d in prop::array::uniform3(-1f32..1.0),
+        ) {
+            let normal = Vec3::from(normal);
+            prop_assume!(normal.length_squared() > 0.01);
+            let base = Vec3::from(base);
+            let near = base.dot(normal.normalized().unwrap_or(Vec3::ZERO));
+            let Some(normal) = normal.normalized() else {
+                return Err(TestCaseError::reject("no direction"));
+            };
+            let normal = Direction::<f32>::new(normal.to_array());
+            let slab = Planes { normal, low: near, high: near + 1.0 };
+            let line = Line { origin: base + Vec3::from(o), direction: Vec3::from(d) };
+            let wide = |v: Vec3<f32>| v.map(f64::from);
+            let (axis, offsets) = (wide(slab.normal.vector()), [slab.low, slab.high].map(f64::from));
+            let (at_zero, speed) = (axis.dot(wide(line.origin)), axis.dot(wide(line.direction)));
+            // f64 knows these to a few 2⁻⁵² of their terms.
+            prop_assume!(speed.abs() > 1e-3);
+            let got = planes(&slab, &line);
+            let Roots::Between(first, last) = got.roots else {
+                return Err(TestCaseError::fail("along the planes"));
+            };
+            let at = if got.upwards { [first, last] } else { [last, first] };
+            for (got, offset) in at.into_iter().zip(offsets) {
+                let want = (offset - at_zero) / speed;
+                prop_assert!(units_off(got, want, 1e-5) < 2.5, "{got} not {want}");
+            }
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! Where a single line meets each family: the one place that takes the body for the kind of number.
+
+use super::ball::Ball;
+use super::planes::{PlaneRoots, Planes};
+use super::wall::Wall;
+use super::{fixed, float};
+use crate::geom::Line;
+use crate::scalar::{FixedPoint, Float, Formula, Roots, Scalar};
+use crate::span::Span;
+
+/// A question about a line, as a type with the bodies in floating and in fixed point.
+macro_rules! formula {
+    ($(#[$docs:meta])* $name:ident($($of:ident: $Of:ident),+) -> $Output:ty, $Formula:ident) => {
+        struct $Formula<'a, S: Scalar>($(&'a $Of<S>,)+ &'a Line<S>);
+
+        impl<S: Scalar> Formula<S> for $Formula<'_, S> {
+            type Output = $Output;
+
+            #[inline(always)]
+            fn float(self) -> $Output
+            where
+                S: Float,
+            {
+                let Self($($of,)+ line) = self;
+                float::$name($($of,)+ line)
+            }
+
+            fn fixed(self) -> $Output
+            where
+                S: FixedPoint,
+            {
+                let Self($($of,)+ line) = self;
+                fixed::$name($($of,)+ line)
+            }
+        }
+
+        $(#[$docs])*
+        #[inline(always)]
+        pub(crate) fn $name<S: Scalar>($($of: &$Of<S>,)+ line: &Line<S>) -> $Output {
+            S::compute($Formula($($of,)+ line))
+        }
+    };
+}
+
+formula! {
+    /// The part of a line inside a wall and between the caps. Where both begin or end together, the
+    /// face is the cap's.
+    cylinder(wall: Wall, caps: Planes) -> Option<Span<S>>, Cylinder
+}
+
+formula! {
+    /// Where a line enters a wall and where it exits, as far as these points are between the caps or
+    /// on a rim. A tangent has both, at the same parameter.
+    open_cylinder(wall: Wall, caps: Planes) -> [Option<S>; 2], OpenCylinder
+}
+
+formula! {
+    /// Where a line is inside a ball. A tangent has equal roots, or none.
+    ball(ball: Ball) -> Roots<S>, InBall
+}
+
+formula! {
+    /// Where a line is between two planes.
+    planes(planes: Planes) -> PlaneRoots<S>, BetweenPlanes
+}

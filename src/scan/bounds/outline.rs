@@ -1,0 +1,198 @@
+//! What a solid says of its size, and the outline that rays see of that.
+
+use super::ball::PerspectiveBall;
+use super::strip::{Rows, Steps};
+use crate::geom::{Affine, Extent, OrthographicRays, PerspectiveRays, Pose, Rays, Vec3};
+use crate::scalar::{Number, Real, Scalar};
+use crate::scan::Empty;
+
+/// A ball or a box around a solid. Say it, and a picture asks the solid only where it can be seen.
+///
+/// It may be too large, never too small.
+///
+/// ```
+/// use scancsg::geom::vec3;
+/// use scancsg::solid::Bounds;
+///
+/// let around_a_unit_cube = Bounds::Box { low: vec3(0.0, 0.0, 0.0), high: vec3(1.0, 1.0, 1.0) };
+/// # let _: Bounds<f32> = around_a_unit_cube;
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum Bounds<S> {
+    /// Nothing is known, or the solid has no end.
+    Unbounded,
+    /// A ball.
+    Ball {
+        /// Its middle.
+        center: Vec3<S>,
+        /// Its radius.
+        radius: S,
+    },
+    /// A box along the coordinate axes.
+    Box {
+        /// The corner with the smallest coordinates.
+        low: Vec3<S>,
+        /// The corner with the largest coordinates.
+        high: Vec3<S>,
+    },
+}
+
+impl<S: Scalar> Bounds<S> {
+    /// A middle and half of the lengths along each axis, with a ball around all of it.
+    fn middle(&self) -> Option<Around<S>> {
+        let (center, half, radius) = match *self {
+            Self::Unbounded => return None,
+            Self::Ball { center, radius } => {
+                let radius = radius.wide();
+                (center.wide(), Vec3::new(radius, radius, radius), radius)
+            }
+            Self::Box { low, high } => {
+                let (low, high) = (low.wide(), high.wide());
+                let half = (high - low) * S::Wide::HALF;
+                (low + half, half, half.length_squared().sqrt())
+            }
+        };
+        let is_ball = matches!(self, Self::Ball { .. });
+        // Bounds with NaN or infinity in them are none.
+        let is_finite = center.is_finite() && half.is_finite() && radius.is_finite();
+        is_finite.then_some(Around { center, half, radius, is_ball })
+    }
+
+    /// The bounds of the solid moved by a pose.
+    pub(crate) fn placed(&self, pose: &Pose<S>) -> Self {
+        match self.middle() {
+            None => Self::Unbounded,
+            Some(around) => {
+                // Room for what turning, and rounding to the number type, may move.
+                let size = around.center.max_abs() + around.radius;
+                let room = S::uncertainty(size + size + size) + S::ROUNDING.wide();
+                Self::Ball {
+                    center: pose.point(around.center.map(S::from_wide)),
+                    radius: S::from_wide(around.radius + room + room),
+                }
+            }
+        }
+    }
+}
+
+/// Bounds as what an outline needs.
+struct Around<S: Scalar> {
+    center: Vec3<S::Wide>,
+    half: Vec3<S::Wide>,
+    radius: S::Wide,
+    is_ball: bool,
+}
+
+impl<S: Scalar> Around<S> {
+    /// Half of the length along a direction.
+    fn half_along(&self, direction: Vec3<S::Wide>) -> S::Wide {
+        if self.is_ball {
+            return self.radius;
+        }
+        let Vec3 { x, y, z } = direction;
+        self.half.x * x.abs() + self.half.y * y.abs() + self.half.z * z.abs()
+    }
+}
+
+/// Rays that see an outline of [`Bounds`]. Implement it, with [`Rays`], for a camera of your own:
+/// [`Anywhere`] will do.
+pub trait Outline: Rays {
+    /// The outline.
+    type Silhouette: Silhouette + Empty;
+
+    /// What these rays see of a solid inside the bounds.
+    fn outline(&self, bounds: &Bounds<Self::Scalar>) -> Self::Silhouette;
+}
+
+/// The rows and columns in which a solid can be seen.
+pub trait Silhouette {
+    /// Whether any row from the first to the last of two is among them, in half pixels below the
+    /// middle.
+    fn is_in_rows(&self, rows: [i32; 2]) -> bool;
+
+    /// The columns of the row `y` half pixels below the middle.
+    fn extent(&self, y: i32, columns: u32) -> Extent;
+}
+
+/// Every pixel: the silhouette of what has no bounds, or of rays that know none.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Anywhere;
+
+impl Empty for Anywhere {
+    const EMPTY: Self = Self;
+}
+
+impl Silhouette for Anywhere {
+    fn is_in_rows(&self, _: [i32; 2]) -> bool {
+        true
+    }
+
+    fn extent(&self, _: i32, columns: u32) -> Extent {
+        Extent::all(columns)
+    }
+}
+
+/// `None` is everywhere.
+impl<T: Silhouette> Silhouette for Option<T> {
+    fn is_in_rows(&self, rows: [i32; 2]) -> bool {
+        self.as_ref().is_none_or(|outline| outline.is_in_rows(rows))
+    }
+
+    fn extent(&self, y: i32, columns: u32) -> Extent {
+        self.as_ref().map_or(Extent::all(columns), |outline| outline.extent(y, columns))
+    }
+}
+
+/// A rectangle in the image plane.
+#[derive(Debug, Clone, Copy)]
+pub struct Rectangle {
+    rows: Rows,
+    columns: Steps,
+}
+
+impl Silhouette for Rectangle {
+    fn is_in_rows(&self, rows: [i32; 2]) -> bool {
+        self.rows.meet(rows)
+    }
+
+    fn extent(&self, _: i32, columns: u32) -> Extent {
+        self.columns.columns(columns)
+    }
+}
+
+impl<S: Scalar> Outline for OrthographicRays<S> {
+    type Silhouette = Option<Rectangle>;
+
+    fn outline(&self, bounds: &Bounds<S>) -> Self::Silhouette {
+        let around = bounds.middle()?;
+        let from_middle = around.center - self.center;
+        let size = from_middle.max_abs() + around.half.max_abs() + around.radius;
+        let steps = |direction: Vec3<S::Wide>| {
+            let (at, half) = (from_middle.dot_compensated(direction), around.half_along(direction));
+            let along = Affine { middle: S::Wide::ZERO, step: self.half_pixel };
+            Steps::between::<S>(along, at - half, at + half, size + size + size)
+        };
+        Some(Rectangle { rows: Rows::of(steps(self.down)), columns: steps(self.right) })
+    }
+}
+
+impl<S: Scalar> Silhouette for PerspectiveBall<S> {
+    fn is_in_rows(&self, rows: [i32; 2]) -> bool {
+        Self::is_in_rows(self, rows)
+    }
+
+    fn extent(&self, y: i32, columns: u32) -> Extent {
+        Self::extent(self, y, columns)
+    }
+}
+
+impl<S: Scalar> Outline for PerspectiveRays<S> {
+    type Silhouette = Option<PerspectiveBall<S>>;
+
+    fn outline(&self, bounds: &Bounds<S>) -> Self::Silhouette {
+        let around = bounds.middle()?;
+        Some(PerspectiveBall::new(around.center, around.radius, self))
+    }
+}

@@ -1,0 +1,53 @@
+//! Two planes, seen from an eye: height and speed are affine in the column, their quotient is not.
+
+use crate::geom::{Affine, Direction, PerspectiveRays, Vec3};
+use crate::quadric::{PlaneRoots, Planes};
+use crate::scalar::{Number, Scalar};
+
+impl<S: Scalar> Planes<S> {
+    /// Where a ray crosses the planes.
+    #[inline]
+    pub(crate) fn perspective_roots(&self, row: &PerspectiveRow<S>, x: i32) -> PlaneRoots<S> {
+        self.crossed(row.height.at(x), row.speed.at(x))
+    }
+}
+
+/// Planes, seen from an eye.
+#[derive(Debug, Clone, Copy)]
+pub struct PerspectiveView<S: Scalar> {
+    /// normal·p in the image plane, where the rays have t = 0, and its steps.
+    height: [S::Wide; 3],
+    /// normal·d in the middle.
+    speed: S::Wide,
+    pub(crate) inverse_distance: S::Wide,
+}
+
+impl<S: Scalar> PerspectiveView<S> {
+    pub(crate) fn new(normal: &Direction<S>, rays: &PerspectiveRays<S>) -> Self {
+        Self {
+            height: rays.plane.steps(Vec3::ZERO).map(|step| normal.dot_wide(step)),
+            speed: normal.dot_wide(rays.plane.forward),
+            inverse_distance: rays.inverse_distance,
+        }
+    }
+}
+
+/// A row of planes, seen from an eye.
+#[derive(Debug, Clone, Copy)]
+pub struct PerspectiveRow<S: Scalar> {
+    height: Affine<S::Wide>,
+    speed: Affine<S::Wide>,
+}
+
+impl<S: Scalar> PerspectiveRow<S> {
+    pub(crate) fn new(view: &PerspectiveView<S>, y: i32) -> Self {
+        let [height, right, down] = view.height;
+        let offset = Affine::row([S::Wide::ZERO, right, down], y);
+        let turn = offset.times(view.inverse_distance);
+        let plus = |middle: S::Wide, offset: Affine<S::Wide>| Affine {
+            middle: middle + offset.middle,
+            ..offset
+        };
+        Self { height: plus(height, offset), speed: plus(view.speed, turn) }
+    }
+}

@@ -1,0 +1,9 @@
+//! The primitives, one folder each: what it is, its constructors, and how each kind of rays sees it.
+
+mod cylinder;
+mod slab;
+mod sphere;
+
+pub use cylinder::{Cylinder, CylinderError, CylinderWall, WallHit};
+pub use slab::{Slab, SlabError};
+pub use sphere::{Sphere, SphereError};

@@ -1,0 +1,110 @@
+//! The sphere (as a solid: the ball).
+
+mod orthographic;
+mod perspective;
+
+use crate::geom::{Line, Vec3};
+use crate::quadric::{Ball, meet};
+use crate::scalar::{ConstOps, FixedI32, Fraction, Scalar};
+use crate::scan::bounds::Bounds;
+use crate::scan::leaf;
+use crate::solid::Solid;
+use crate::span::{Crossing, Face, Shape, Span, SpanStack};
+
+/// A solid sphere.
+///
+/// One face.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Sphere<S: Scalar> {
+    ball: Ball<S>,
+    /// 1/radius.
+    curvature: S::Scale,
+}
+
+/// Why a sphere can't be made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum SphereError {
+    /// A coordinate or the radius is infinite or NaN.
+    NotFinite,
+    /// The radius is zero, negative, or not between [`Scalar::MIN_RADIUS`] and [`Scalar::MAX_COORDINATE`].
+    Radius,
+    /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
+    TooFar,
+}
+
+crate::error_text!(SphereError {
+    NotFinite => "a coordinate or the radius of the sphere is infinite or not a number",
+    Radius => "the radius of the sphere is not positive, or out of its number type's range",
+    TooFar => "the sphere is too far away for its number type",
+});
+
+macro_rules! constructors {
+    ($([$($generics:tt)*] $Scalar:ty),+) => {$(
+        impl<$($generics)*> Sphere<$Scalar> {
+            /// A sphere around `center`.
+            ///
+            /// # Errors
+            /// [`SphereError::NotFinite`], [`SphereError::Radius`], [`SphereError::TooFar`].
+            pub const fn new(
+                center: Vec3<$Scalar>,
+                radius: $Scalar,
+            ) -> Result<Self, SphereError> {
+                if !center.has_finite_coordinates() || !ConstOps::<$Scalar>::is_finite(radius) {
+                    return Err(SphereError::NotFinite);
+                }
+                if !ConstOps::<$Scalar>::is_radius(radius) {
+                    return Err(SphereError::Radius);
+                }
+                if !center.is_within_reach() {
+                    return Err(SphereError::TooFar);
+                }
+                Ok(Self {
+                    ball: Ball { center, radius },
+                    curvature: ConstOps::<$Scalar>::inverse(radius),
+                })
+            }
+        }
+    )+};
+}
+
+constructors!([] f32, [] f64, [F: Fraction] FixedI32<F>);
+
+impl<S: Scalar> Shape for Sphere<S> {
+    type Scalar = S;
+    const SPANS: usize = 1;
+    const FACES: u16 = 1;
+}
+
+/// A span that may have no length: then it is none.
+#[inline]
+fn span<S: Scalar>(enter: S, exit: S) -> Option<Span<S>> {
+    let face = Face(0);
+    Span::new(Crossing { t: enter, face }, Crossing { t: exit, face })
+}
+
+impl<S: Scalar> Solid for Sphere<S> {
+    fn spans(&self, line: &Line<S>, first: Face, stack: &mut SpanStack<'_, S>) {
+        let ends = meet::ball(&self.ball, line).ends();
+        if let Some(span) = ends.and_then(|(enter, exit)| span(enter, exit)) {
+            stack.put(span.with_faces_from(first));
+        }
+    }
+
+    fn bounds(&self) -> Bounds<S> {
+        let Ball { center, radius } = self.ball;
+        Bounds::Ball { center, radius }
+    }
+
+    fn onto(&self, _: Face, near: Vec3<S>) -> Vec3<S> {
+        self.ball.onto(near)
+    }
+
+    fn normal(&self, _: Face, at: Vec3<S>) -> Vec3<S> {
+        (at - self.ball.center).map(|coordinate| coordinate.scaled(self.curvature))
+    }
+}
+
+leaf!([S: Scalar] Sphere<S>);

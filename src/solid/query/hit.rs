@@ -1,0 +1,82 @@
+//! What a ray sees: the first crossing, the point there, and the normal.
+
+use crate::geom::{Line, Vec3};
+use crate::scalar::Scalar;
+use crate::span::{Face, Span};
+
+/// What a ray sees of a solid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Hit<S> {
+    /// The ray's parameter, ≥ 0; infinite where it is beyond the number type's range.
+    pub t: S,
+    /// The face that is seen.
+    pub face: Face,
+    /// Where, moved onto the face: its distance from there is that of its coordinates' rounding.
+    pub point: Vec3<S>,
+    /// The normal of length 1 on the side that is seen.
+    pub normal: Vec3<S>,
+    /// Whether the ray starts inside the solid, and sees the face from within.
+    pub inside: bool,
+}
+
+/// The first surface that is seen from parameter `start` on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Seen<S> {
+    /// The line's parameter.
+    pub t: S,
+    /// The face.
+    pub face: Face,
+    /// Whether it is seen from inside the solid.
+    pub inside: bool,
+}
+
+/// Looks for the first crossing at or after `start` in a sorted list of spans.
+///
+/// Ends that lie at infinity are no surface and are passed over.
+#[must_use]
+pub fn first_seen<S: Scalar>(spans: &[Span<S>], start: S) -> Option<Seen<S>> {
+    for span in spans {
+        for (crossing, inside) in [(span.enter, false), (span.exit, true)] {
+            if crossing.t >= start && crossing.t > S::LOWEST && crossing.t < S::HIGHEST {
+                return Some(Seen { t: crossing.t, face: crossing.face, inside });
+            }
+        }
+    }
+    None
+}
+
+/// The point of a surface where a line meets it at `t`, and the normal on the side that is seen; `at`
+/// gives the point of the surface nearest to another one, and the normal that points outwards.
+///
+/// The line's point at the rounded `t` is up to half a unit times the direction's length beside the
+/// surface. Where that is as far as to the axis, or beyond it, the point nearest to it is on the far side,
+/// or any. One unit farther outside, it is on the side that is seen.
+pub(crate) fn seen_at<S: Scalar>(
+    line: &Line<S>,
+    t: S,
+    inside: bool,
+    at: impl Fn(Vec3<S>) -> [Vec3<S>; 2],
+) -> [Vec3<S>; 2] {
+    let seen = |t| {
+        let [point, outward] = at(line.at(t));
+        [point, if inside { -outward } else { outward }]
+    };
+    // Or about zero: near an oblique axis, what is left of the way from there is rounding errors.
+    let is_some = |normal: Vec3<S>| {
+        let length = S::length(normal.to_array());
+        length.plus(length) > S::ONE
+    };
+    let first @ [_, normal] = seen(t);
+    // By more than an eighth: the sign alone would also tell of a tangent whose normal was rounded.
+    let along = (0..3).fold(normal.dot(line.direction), |along, _| along.plus(along));
+    if is_some(normal) && along <= line.direction.max_abs() {
+        return first;
+    }
+    let farther_out = if inside { t.negated().next_below().negated() } else { t.next_below() };
+    let [point, normal] = seen(farther_out);
+    // Smaller than its coordinates' units, a solid has no normals of its own.
+    let towards_start = || Vec3::from(S::with_length((-line.direction).to_array(), S::ONE));
+    [point, if is_some(normal) { normal } else { towards_start() }]
+}

@@ -1,0 +1,11 @@
+//! Solids around other solids: colour, place, and solids of your own.
+
+mod by_line;
+mod painted;
+mod placed;
+mod wrapping;
+
+pub use by_line::ByLine;
+pub use painted::Painted;
+pub use placed::Placed;
+pub use wrapping::Wrap;
