@@ -3,7 +3,7 @@
 use super::parts::Number;
 use core::hint::black_box;
 use scancsg::geom::{Ray, vec3};
-use scancsg::solid::{Cylinder, RayCast, Solid};
+use scancsg::solid::{Cylinder, RayCast};
 use scancsg::span::SpanList;
 
 /// So many rays, each with a cylinder along x.

@@ -8,7 +8,7 @@ use core::hint::black_box;
 use scancsg::geom::{Ray, Vec3};
 use scancsg::render::{Gray8, PixelFormat};
 use scancsg::scalar::I16F16;
-use scancsg::solid::RayCast;
+use scancsg::solid::{RayCast, Solid};
 use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
 use scancsg::spline::{Knots, NonZero, Outside, Sweep};
 use scancsg::stream::{Decoder, encode_row, packet_capacity};

@@ -19,6 +19,7 @@ pub struct Planes<S: Scalar> {
 /// Where a line is between two planes, and which plane comes first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct PlaneRoots<S> {
+    /// The parameters of the low plane and of the high one, in this order.
     pub(crate) roots: Roots<S>,
     /// Whether the line meets the low plane before the high one.
     pub(crate) upwards: bool,
@@ -34,8 +35,7 @@ impl<S: Scalar> PlaneRoots<S> {
     /// A line that crosses the low plane and the high one at these parameters.
     #[inline]
     pub(crate) fn across([low, high]: [S; 2], upwards: bool) -> Self {
-        let (near, far) = if upwards { (low, high) } else { (high, low) };
-        Self { roots: Roots::Between(near, far), upwards }
+        Self { roots: Roots::Between(low, high), upwards }
     }
 
     /// The planes in the order in which the line meets them.
@@ -57,7 +57,8 @@ impl<S: Scalar> PlaneRoots<S> {
         match self.roots {
             Roots::Outside => None,
             Roots::Everywhere => Some(Span::whole_line(Face(0))),
-            Roots::Between(near, far) => {
+            Roots::Between(low, high) => {
+                let (near, far) = if self.upwards { (low, high) } else { (high, low) };
                 let [first, last] = self.faces();
                 let enter = Crossing { t: near, face: first };
                 Some(Span { enter, exit: Crossing { t: far, face: last } })

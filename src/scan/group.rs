@@ -2,8 +2,8 @@
 
 use super::active::{GroupRow, Member, NONE};
 use super::stage::Scan;
-use crate::span::Face;
-use crate::span::walk::{Cold, Members, Path, Step, step_of_union};
+use crate::span::walk::{Cold, Members, Path, Step, exit_of_union, step_of_union};
+use crate::span::{Crossing, Face};
 
 /// The active elements of a group, on one ray.
 struct Active<'a, P, T: Scan<P>> {
@@ -41,11 +41,6 @@ impl<P, T: Scan<P>> Active<'_, P, T> {
         });
         all
     }
-
-    #[inline(never)]
-    fn unite_cold(&mut self, t: T::Scalar) -> Step<T::Scalar> {
-        self.unite_all::<Cold>(t)
-    }
 }
 
 impl<P, T: Scan<P>> Members<T::Scalar> for Active<'_, P, T> {
@@ -56,7 +51,16 @@ impl<P, T: Scan<P>> Members<T::Scalar> for Active<'_, P, T> {
 
     #[inline(always)]
     fn unite<H: Path>(&mut self, t: T::Scalar) -> Step<T::Scalar> {
-        if H::IS_COLD { self.unite_cold(t) } else { self.unite_all::<H>(t) }
+        if H::IS_COLD {
+            self.group.unite_cold::<P, T>(self.solids, self.views, self.x, t, self.first)
+        } else {
+            self.unite_all::<H>(t)
+        }
+    }
+
+    #[inline(always)]
+    fn exit(&mut self, next: Crossing<T::Scalar>) -> Crossing<T::Scalar> {
+        self.group.exit::<P, T>(self.solids, self.views, self.x, next, self.first)
     }
 }
 
@@ -127,5 +131,29 @@ impl<R> GroupRow<[Member<R>]> {
         first: Face,
     ) -> Step<T::Scalar> {
         step_of_union::<Cold, _>(&mut Active::<P, T> { group: self, solids, views, x, first }, t)
+    }
+
+    #[inline(never)]
+    fn unite_cold<P, T: Scan<P, Row = R>>(
+        &mut self,
+        solids: &[T],
+        views: &[T::View],
+        x: i32,
+        t: T::Scalar,
+        first: Face,
+    ) -> Step<T::Scalar> {
+        Active::<P, T> { group: self, solids, views, x, first }.unite_all::<Cold>(t)
+    }
+
+    #[inline(never)]
+    fn exit<P, T: Scan<P, Row = R>>(
+        &mut self,
+        solids: &[T],
+        views: &[T::View],
+        x: i32,
+        next: Crossing<T::Scalar>,
+        first: Face,
+    ) -> Crossing<T::Scalar> {
+        exit_of_union(&mut Active::<P, T> { group: self, solids, views, x, first }, next)
     }
 }

@@ -51,6 +51,10 @@ mod sealed {
     pub trait Sealed {}
     impl Sealed for super::Hot {}
     impl Sealed for super::Cold {}
+    impl Sealed for super::WhetherInside {}
+    impl Sealed for super::WholeStep {}
+    impl Sealed for super::NextOfRight {}
+    impl Sealed for super::StepFromLeft {}
 }
 
 impl Path for Hot {
@@ -83,6 +87,61 @@ pub trait Operands<S: Scalar> {
 
     /// What lies behind `t` in an operand.
     fn step<P: Path>(&mut self, side: Side, t: S) -> Step<S>;
+
+    /// Asks a question out of line. Implement it to hand over the operands in registers, not in memory.
+    #[inline(never)]
+    fn outlined<Q: Question>(&mut self, t: S, left: Step<S>) -> Step<S>
+    where
+        Self: Sized,
+    {
+        Q::ask(self, t, left)
+    }
+}
+
+/// A part of the walk that is compiled out of line: see [`Operands::outlined`].
+pub trait Question: sealed::Sealed {
+    #[doc(hidden)]
+    fn ask<S: Scalar>(of: &mut impl Operands<S>, t: S, left: Step<S>) -> Step<S>;
+}
+
+/// Only whether the ray is inside.
+enum WhetherInside {}
+
+/// All of a step.
+enum WholeStep {}
+
+/// The first crossing, where the right operand keeps the ray out of the result.
+enum NextOfRight {}
+
+/// A step of which the left operand's part is known.
+enum StepFromLeft {}
+
+impl Question for WhetherInside {
+    #[inline(always)]
+    fn ask<S: Scalar>(of: &mut impl Operands<S>, t: S, _: Step<S>) -> Step<S> {
+        Step { inside: contains_inlined(of, t), next: Crossing::NEVER }
+    }
+}
+
+impl Question for WholeStep {
+    #[inline(always)]
+    fn ask<S: Scalar>(of: &mut impl Operands<S>, t: S, _: Step<S>) -> Step<S> {
+        step_inlined(of, t)
+    }
+}
+
+impl Question for NextOfRight {
+    #[inline(always)]
+    fn ask<S: Scalar>(of: &mut impl Operands<S>, t: S, _: Step<S>) -> Step<S> {
+        Step { inside: false, next: next_of_right(of, t) }
+    }
+}
+
+impl Question for StepFromLeft {
+    #[inline(always)]
+    fn ask<S: Scalar>(of: &mut impl Operands<S>, t: S, left: Step<S>) -> Step<S> {
+        step_from_left(of, t, left)
+    }
 }
 
 /// Any number of united solids, on one ray.
@@ -92,17 +151,26 @@ pub trait Members<S: Scalar> {
 
     /// What lies behind `t` in all members, [united](Step::unite) in their order.
     fn unite<P: Path>(&mut self, t: S) -> Step<S>;
+
+    /// [`exit_of_union`], out of line. Implement it to hand over the members in registers, not in
+    /// memory.
+    #[inline(never)]
+    fn exit(&mut self, next: Crossing<S>) -> Crossing<S>
+    where
+        Self: Sized,
+    {
+        exit_of_union(self, next)
+    }
 }
 
 /// Whether the ray is inside the result just behind `t`.
 #[inline(always)]
 pub fn contains<P: Path, S: Scalar>(of: &mut impl Operands<S>, t: S) -> bool {
-    if P::IS_COLD { contains_cold(of, t) } else { contains_inlined(of, t) }
-}
-
-#[inline(never)]
-fn contains_cold<S: Scalar>(of: &mut impl Operands<S>, t: S) -> bool {
-    contains_inlined(of, t)
+    if P::IS_COLD {
+        of.outlined::<WhetherInside>(t, Step::OUTSIDE).inside
+    } else {
+        contains_inlined(of, t)
+    }
 }
 
 #[inline(always)]
@@ -157,12 +225,7 @@ fn contains_inlined<S: Scalar>(of: &mut impl Operands<S>, t: S) -> bool {
 /// ```
 #[inline(always)]
 pub fn step<P: Path, S: Scalar>(of: &mut impl Operands<S>, t: S) -> Step<S> {
-    if P::IS_COLD { step_cold(of, t) } else { step_inlined(of, t) }
-}
-
-#[inline(never)]
-fn step_cold<S: Scalar>(of: &mut impl Operands<S>, t: S) -> Step<S> {
-    step_inlined(of, t)
+    if P::IS_COLD { of.outlined::<WholeStep>(t, Step::OUTSIDE) } else { step_inlined(of, t) }
 }
 
 #[inline(always)]
@@ -170,7 +233,7 @@ fn step_inlined<S: Scalar>(of: &mut impl Operands<S>, t: S) -> Step<S> {
     let operation = of.operation();
     let left = if of.has(Side::Left) { of.step::<Hot>(Side::Left, t) } else { Step::OUTSIDE };
     if left.inside || !operation.needs_left() {
-        return step_from_left(of, t, left);
+        return of.outlined::<StepFromLeft>(t, left);
     }
     // From outside of the left operand, its first crossing decides in most cases.
     let t = left.next.t;
@@ -178,13 +241,15 @@ fn step_inlined<S: Scalar>(of: &mut impl Operands<S>, t: S) -> Step<S> {
         return Step::OUTSIDE;
     }
     let in_right = of.has(Side::Right) && of.contains::<Hot>(Side::Right, t);
-    let next = if operation.contains(true, in_right) { left.next } else { next_of_right(of, t) };
-    Step { inside: false, next }
+    if operation.contains(true, in_right) {
+        return Step { inside: false, next: left.next };
+    }
+    of.outlined::<NextOfRight>(t, Step::OUTSIDE)
 }
 
 /// The first crossing behind `t`, where the ray is inside the left operand and the right one keeps it
 /// out of the result. Only for operations that need the left operand.
-#[inline(never)]
+#[inline(always)]
 fn next_of_right<S: Scalar>(of: &mut impl Operands<S>, mut t: S) -> Crossing<S> {
     let operation = of.operation();
     if !of.has(Side::Right) {
@@ -214,7 +279,7 @@ fn next_of_right<S: Scalar>(of: &mut impl Operands<S>, mut t: S) -> Crossing<S> 
 }
 
 /// What lies behind `t`, where that is known of the left operand.
-#[inline(never)]
+#[inline(always)]
 fn step_from_left<S: Scalar>(of: &mut impl Operands<S>, mut t: S, mut left: Step<S>) -> Step<S> {
     let operation = of.operation();
     let counts = |left: &Step<S>| left.inside || !operation.needs_left();
@@ -256,12 +321,12 @@ fn step_from_left<S: Scalar>(of: &mut impl Operands<S>, mut t: S, mut left: Step
 pub fn step_of_union<P: Path, S: Scalar>(of: &mut impl Members<S>, t: S) -> Step<S> {
     let all = of.unite::<P>(t);
     // From outside of all members, the first that is entered decides.
-    if all.inside { Step { next: exit_of_union(of, all.next), ..all } } else { all }
+    if all.inside { Step { next: of.exit(all.next), ..all } } else { all }
 }
 
 /// The first crossing from `next` on behind which the ray is outside of all members.
-#[inline(never)]
-fn exit_of_union<S: Scalar>(of: &mut impl Members<S>, mut next: Crossing<S>) -> Crossing<S> {
+#[inline(always)]
+pub fn exit_of_union<S: Scalar>(of: &mut impl Members<S>, mut next: Crossing<S>) -> Crossing<S> {
     if of.is_single() {
         return next;
     }

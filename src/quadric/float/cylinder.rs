@@ -91,9 +91,8 @@ fn meet<S: Float>(wall: &Wall<S>, caps: &Planes<S>, line: &Line<S>) -> Roots<S> 
 #[cold]
 #[inline(never)]
 fn between_any_caps<S: Float>(caps: &Planes<S>, line: &Line<S>, inside: (S, S)) -> Option<Span<S>> {
-    let between = planes(caps, line);
-    let (near, far) = between.roots.ends()?;
-    common(inside, (near, far), between.faces())
+    let Span { enter, exit } = planes(caps, line).ends()?;
+    common(inside, (enter.t, exit.t), [enter.face, exit.face])
 }
 
 /// What is between the caps of a line's part inside the wall.

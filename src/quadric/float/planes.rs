@@ -55,11 +55,10 @@ mod tests {
             // f64 knows these to a few 2⁻⁵² of their terms.
             prop_assume!(speed.abs() > 1e-3);
             let got = planes(&slab, &line);
-            let Roots::Between(first, last) = got.roots else {
+            let Roots::Between(low, high) = got.roots else {
                 return Err(TestCaseError::fail("along the planes"));
             };
-            let at = if got.upwards { [first, last] } else { [last, first] };
-            for (got, offset) in at.into_iter().zip(offsets) {
+            for (got, offset) in [low, high].into_iter().zip(offsets) {
                 let want = (offset - at_zero) / speed;
                 prop_assert!(units_off(got, want, 1e-5) < 2.5, "{got} not {want}");
             }

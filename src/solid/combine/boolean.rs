@@ -5,7 +5,7 @@ use crate::scalar::Number;
 use crate::scan::bounds::Bounds;
 use crate::scan::{ColumnRun, Empty, Scan};
 use crate::solid::{Rgb, Solid};
-use crate::span::walk::{self, Operands, Path, Side, Step};
+use crate::span::walk::{self, Operands, Path, Question, Side, Step};
 use crate::span::{Face, Operation, Shape, SpanStack};
 use core::marker::PhantomData;
 
@@ -210,6 +210,32 @@ where
                 solid.right.step::<H>(right, &mut row.right, *x, t, first.offset(L::FACES))
             }
         }
+    }
+
+    #[inline(always)]
+    fn outlined<Q: Question>(&mut self, t: L::Scalar, left: Step<L::Scalar>) -> Step<L::Scalar> {
+        let Self { solid, view, row, x, first } = self;
+        solid.outlined::<Q, P>(view, row, *x, t, *first, left)
+    }
+}
+
+impl<O: Rule, L: Shape, R: Shape<Scalar = L::Scalar>> Boolean<O, L, R> {
+    #[inline(never)]
+    #[expect(clippy::too_many_arguments, reason = "operands in registers")]
+    fn outlined<Q: Question, P>(
+        &self,
+        view: &(L::View, R::View),
+        row: &mut BooleanRow<L::Row, R::Row>,
+        x: i32,
+        t: L::Scalar,
+        first: Face,
+        left: Step<L::Scalar>,
+    ) -> Step<L::Scalar>
+    where
+        L: Scan<P>,
+        R: Scan<P>,
+    {
+        Q::ask(&mut OnRay { solid: self, view, row, x, first }, t, left)
     }
 }
 

@@ -13,7 +13,7 @@ use crate::geom::{Affine, Extent, PerspectiveRays, Vec3};
 use crate::scalar::{Number, Real, Roots, Scalar};
 use crate::scan::bounds::{PerspectiveBall, constant, extent};
 use crate::scan::{Leaf, planes};
-use crate::span::Span;
+use crate::span::{Face, Span};
 
 impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cylinder<S> {
     type View = Option<PerspectiveView<S>>;
@@ -91,7 +91,13 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cylinder<S> {
         };
         let between = self.caps.perspective_roots(&row.caps, x);
         match between.roots {
-            Roots::Between(near, far) => set_common(span, chord, [near, far], between.faces()),
+            // For each order in its place: the faces are constants.
+            Roots::Between(low, high) if between.upwards => {
+                set_common(span, chord, [low, high], [Face(0), Face(1)]);
+            }
+            Roots::Between(low, high) => {
+                set_common(span, chord, [high, low], [Face(1), Face(0)]);
+            }
             Roots::Everywhere => {
                 let [enter, exit] = chord;
                 *span = wall_span(enter, exit).unwrap_or(Span::NOWHERE);
