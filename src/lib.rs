@@ -58,6 +58,7 @@ extern crate std;
 
 mod error;
 pub mod geom;
+mod numeric;
 pub mod render;
 pub mod scalar;
 pub mod solid;

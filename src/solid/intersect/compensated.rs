@@ -105,7 +105,7 @@ intersect!(f32, f64);
 mod tests {
     use super::pass;
     use crate::geom::{Line, Ray, Vec3, vec3};
-    use crate::scalar::Float;
+    use crate::numeric::Fused;
     use crate::solid::intersect::{Passage, units_off};
     use crate::solid::{Cylinder, Slab, Solid};
     use crate::span::SpanList;

@@ -1,7 +1,70 @@
-//! Fused products and sums of `f32`, with the bits of hardware's, by sums in `f64`.
+//! The fused difference `x² − y`.
+
+#![allow(unsafe_code)]
+
+use super::double::add_product;
+use super::native::Native;
+
+/// Numbers with a fused difference of a square and a number.
+pub trait Fused: Native {
+    /// `x² − y` with one rounding, unless that is subnormal: the product is fused with the
+    /// difference. In `f64` it comes from a sum with twice the precision.
+    fn square_less(x: Self, y: Self) -> Self;
+
+    /// [`square_less`](Self::square_less), or `None`, rarely, where that takes longer: then whoever
+    /// asks may turn to a function for rare cases, and keeps nothing for afterwards.
+    #[inline]
+    fn quick_square_less(x: Self, y: Self) -> Option<Self> {
+        Some(Self::square_less(x, y))
+    }
+}
+
+impl Fused for f64 {
+    #[inline]
+    fn square_less(x: Self, y: Self) -> Self {
+        add_product(-y, x, x)
+    }
+}
+
+#[cfg(all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64")))]
+impl Fused for f32 {
+    /// By a fused product and sum.
+    #[inline]
+    fn square_less(x: Self, y: Self) -> Self {
+        let mut bits = y.to_bits();
+        // SAFETY: as in `fpu::two_product`.
+        unsafe {
+            core::arch::asm!(
+                "vmov s14, s15, {x}, {y}",
+                "vfnms.f32 s15, s14, s14", // x·x − y
+                "vmov {y}, s15",
+                x = in(reg) x.to_bits(),
+                y = inout(reg) bits,
+                out("s14") _,
+                out("s15") _,
+                options(pure, nomem, nostack, preserves_flags),
+            );
+        }
+        Self::from_bits(bits)
+    }
+}
+
+#[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64"))))]
+impl Fused for f32 {
+    #[inline]
+    fn square_less(x: Self, y: Self) -> Self {
+        product_less(x, x, y).unwrap_or_else(|| product_less_half_way(x, x, y))
+    }
+
+    #[inline]
+    fn quick_square_less(x: Self, y: Self) -> Option<Self> {
+        product_less(x, x, y)
+    }
+}
 
 /// `a·b − c`, rounded once, unless the result is subnormal; `None`, rarely, where that takes a closer
 /// look.
+#[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64"))))]
 #[inline]
 fn product_less(a: f32, b: f32, c: f32) -> Option<f32> {
     let difference = f64::from(a) * f64::from(b) - f64::from(c);
@@ -12,6 +75,7 @@ fn product_less(a: f32, b: f32, c: f32) -> Option<f32> {
 
 /// [`product_less`] where the difference is half-way between two numbers: what it was rounded by
 /// decides.
+#[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64"))))]
 #[cold]
 #[inline(never)]
 fn product_less_half_way(a: f32, b: f32, c: f32) -> f32 {
@@ -27,18 +91,6 @@ fn product_less_half_way(a: f32, b: f32, c: f32) -> f32 {
         f64::from_bits(sum.to_bits() - 1)
     };
     nudged as f32
-}
-
-/// `x·x − y`.
-#[inline]
-pub(super) fn square_less(x: f32, y: f32) -> f32 {
-    quick_square_less(x, y).unwrap_or_else(|| product_less_half_way(x, x, y))
-}
-
-/// `x·x − y`, or `None` where that takes longer.
-#[inline]
-pub(super) fn quick_square_less(x: f32, y: f32) -> Option<f32> {
-    product_less(x, x, y)
 }
 
 #[cfg(test)]
@@ -73,7 +125,7 @@ mod tests {
             let a = near_one(ulps) * 2f32.powi(-24) * if sign { 1.0 } else { -1.0 };
             for b in [1.0, near_one(1), near_one(-1), 1.0 + 2f32.powi(gap - 49)] {
                 prop_assert_eq!(product_sum(a, b, c).to_bits(), a.mul_add(b, c).to_bits());
-                prop_assert_eq!(square_less(c, b).to_bits(), c.mul_add(c, -b).to_bits());
+                prop_assert_eq!(f32::square_less(c, b).to_bits(), c.mul_add(c, -b).to_bits());
             }
         }
     }
