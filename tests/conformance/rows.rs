@@ -142,7 +142,7 @@ pub fn from_middle(index: u32, count: u32) -> i32 {
 }
 
 /// Asks a row in every column, and wants nothing outside of its extent.
-fn check_extents<S, T, R>(solid: &T, rays: &R, height: u16) -> Result<(), TestCaseError>
+fn check_extents<S, T, R>(solid: &T, rays: &R, size: Size) -> Result<(), TestCaseError>
 where
     S: Tested,
     R: Rays<Scalar = S>,
@@ -150,12 +150,13 @@ where
 {
     let mut list = SpanList::<S, 1>::new();
     let (mut view, mut row) = (T::View::EMPTY, T::Row::EMPTY);
+    let (columns, rows) = (size.width().into(), size.height().into());
     solid.view(rays, &mut view);
-    for y in 0..height {
-        solid.row(&view, from_middle(y.into(), height.into()), rays.columns(), &mut row);
-        for index in 0..rays.columns() {
+    for y in 0..rows {
+        solid.row(&view, from_middle(y, rows), columns, &mut row);
+        for index in 0..columns {
             if !T::outlook(&row, index).is_there {
-                let column = Column { index, x: from_middle(index, rays.columns()) };
+                let column = Column { index, x: from_middle(index, columns) };
                 solid.spans_at(&view, &row, column, Face(0), &mut list.stack());
                 prop_assert!(list.is_empty(), "{:?}", column);
             }
@@ -191,14 +192,14 @@ fn extents_cut_nothing_off<S: Tested>() {
         let picture = Size::new(64, 24).unwrap();
         let camera = Orthographic::look_along(vector(along), vector(target), up(), frame);
         if let Ok(camera) = camera {
-            check_extents(&rod, &camera.rays(picture), 24)?;
-            check_extents(&ball, &camera.rays(picture), 24)?;
+            check_extents(&rod, &camera.rays(picture), picture)?;
+            check_extents(&ball, &camera.rays(picture), picture)?;
         }
         let eye: [f64; 3] = std::array::from_fn(|i| target[i] - along[i] * unit * far.max(3.0));
         let camera = Perspective::look_at(vector(eye), vector(target), up(), S::near(0.8));
         if let Ok(camera) = camera {
-            check_extents(&rod, &camera.rays(picture), 24)?;
-            check_extents(&ball, &camera.rays(picture), 24)?;
+            check_extents(&rod, &camera.rays(picture), picture)?;
+            check_extents(&ball, &camera.rays(picture), picture)?;
         }
     });
 }
