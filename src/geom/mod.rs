@@ -8,7 +8,6 @@ mod rays;
 mod vec3;
 
 pub(crate) use direction::{Axis, Direction};
-pub(crate) use rays::shortened;
 
 pub use columns::{Affine, Column, Extent};
 pub use pose::{Pose, PoseError};

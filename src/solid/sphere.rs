@@ -5,7 +5,7 @@ use super::leaf::{Leaf, leaf};
 use super::silhouette::PerspectiveBall;
 use super::strip::Steps;
 use super::{Shape, Solid};
-use crate::geom::{Affine, Extent, Line, OrthographicRays, PerspectiveRays, Vec3, shortened};
+use crate::geom::{Affine, Extent, Line, OrthographicRays, PerspectiveRays, Vec3};
 use crate::scalar::{Chord, ConstOps, FixedI32, Fraction, Real, Scalar};
 use crate::span::{Crossing, Face, Span, SpanStack};
 
@@ -157,7 +157,7 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Sphere<S> {
 
     fn seen_along(&self, rays: &PerspectiveRays<S>) -> Self::View {
         let ball = PerspectiveBall::new(self.center.wide(), self.radius.wide(), rays);
-        Some(PerspectiveView { ball, halvings: rays.halvings })
+        Some(PerspectiveView { ball })
     }
 
     #[inline]
@@ -169,27 +169,23 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Sphere<S> {
         *row = None;
         let Some(view) = view else { return Extent::EMPTY };
         *row = Some(PerspectiveRow {
-            moment: shortened(view.ball.moment(y), view.halvings),
+            moment: view.ball.moment(y),
             from_center: view.ball.position(y),
-            direction: shortened(view.ball.direction(y), view.halvings),
+            direction: view.ball.direction(y),
         });
         view.ball.extent(y, columns)
     }
 
     #[inline]
-    fn span(&self, view: &Self::View, row: &Self::Row, x: i32) -> Option<Span<S>> {
-        let (Some(view), Some(row)) = (view, row) else { return None };
+    fn span(&self, _: &Self::View, row: &Self::Row, x: i32) -> Option<Span<S>> {
+        let Some(row) = row else { return None };
         let direction = row.direction.map(|part| S::unit(part.at(x)));
         let (k, q) = (
             row.moment.map(|part| part.at(x)),
             row.from_center.map(|part| S::from_wide(part.at(x))),
         );
         match S::chord(self.radius, k, q, direction) {
-            Chord::Between(enter, exit) => {
-                let [enter, exit] =
-                    [enter, exit].map(|t| PerspectiveRays::along_whole(t, view.halvings));
-                span(enter, exit)
-            }
+            Chord::Between(enter, exit) => span(enter, exit),
             Chord::Beside | Chord::Along => None,
         }
     }
@@ -199,14 +195,12 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Sphere<S> {
 #[derive(Debug, Clone, Copy)]
 pub struct PerspectiveView<S: Scalar> {
     ball: PerspectiveBall<S>,
-    /// How often directions are halved.
-    halvings: u8,
 }
 
 /// A row of a sphere, seen from an eye: in the camera's frame.
 #[derive(Debug, Clone, Copy)]
 pub struct PerspectiveRow<S: Scalar> {
-    /// c × d, p − c and d, where d is halved as directions are.
+    /// c × d, p − c and d.
     moment: [Affine<S::Wide>; 3],
     from_center: [Affine<S::Wide>; 3],
     direction: [Affine<S::Wide>; 3],

@@ -12,7 +12,6 @@ mod orthographic;
 mod perspective;
 
 pub use orthographic::{OrthographicRays, OrthographicRow};
-pub(crate) use perspective::shortened;
 pub use perspective::{PerspectiveRays, PerspectiveRow};
 
 use super::pose::Pose;
@@ -33,8 +32,9 @@ pub trait Rays: Copy {
     /// The smallest parameter that the camera sees.
     fn start(&self) -> Self::Scalar;
 
-    /// Whether a picture of so many rows keeps inside the number type's range: in fixed point, the image
-    /// plane may reach to half of that ([`Scalar::HIGHEST`]).
+    /// Whether a picture of so many rows keeps inside the number type's range. In fixed point, the image
+    /// plane may reach to half of that ([`Scalar::HIGHEST`]), and an eye may see as far to the side as
+    /// directions have numbers for: with w columns, h rows and the field of view φ, (1 + w/h)·tan φ/2 < 7.
     fn fits(&self, rows: u16) -> bool;
 
     /// The same rays in the own frame of a solid that stands at `pose`.

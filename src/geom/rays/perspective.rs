@@ -2,11 +2,10 @@
 
 use super::orthographic::{OrthographicRays, PlaneRow};
 use super::{RayRow, Rays};
-use crate::geom::columns::Affine;
 use crate::geom::pose::Pose;
 use crate::geom::ray::Line;
 use crate::geom::vec3::Vec3;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Number, Real, Scalar};
 
 /// The rays of a perspective picture: a pencil through the eye.
 ///
@@ -20,37 +19,15 @@ pub struct PerspectiveRays<S: Scalar> {
     pub distance: S::Wide,
     /// 1/`distance`.
     pub inverse_distance: S::Wide,
-    /// How often directions must be halved to have coordinates that [`Scalar::Unit`] can hold: 0 in
-    /// floating point, and for all but very wide pictures.
-    pub halvings: u8,
 }
 
 impl<S: Scalar> PerspectiveRays<S> {
-    /// The parameter along a direction that was halved so often, as one along the direction itself.
-    #[inline]
-    pub(crate) fn along_whole(t: S, halvings: u8) -> S {
-        // Known without looking in floating point, which never halves.
-        let is_whole = S::SHORTEST <= S::ZERO || halvings == 0;
-        if is_whole || t <= S::LOWEST || t >= S::HIGHEST {
-            return t;
-        }
-        S::from_wide(t.wide() * shortening(halvings))
-    }
-}
-
-/// The factor of directions that are halved so often.
-fn shortening<T: Real>(halvings: u8) -> T {
-    (0..halvings).fold(T::ONE, |factor, _| factor * T::HALF)
-}
-
-/// Coordinates that are halved as often as directions are.
-pub(crate) fn shortened<T: Real, const N: usize>(
-    parts: [Affine<T>; N],
-    halvings: u8,
-) -> [Affine<T>; N] {
-    match halvings {
-        0 => parts,
-        _ => parts.map(|part| part.times(shortening(halvings))),
+    /// Whether [`Scalar::Unit`] can hold the direction of every pixel that is at most so far to the side
+    /// and so far up or down, in sum, at the distance 1. Floating point can.
+    pub(crate) fn can_hold(sideways: S::Wide) -> bool {
+        // No coordinate is larger than this sum, in any frame, and the length is less than that.
+        let largest = S::Wide::ONE + sideways;
+        S::SHORTEST <= S::ZERO || largest < S::wide_unit(S::unit(S::HIGHEST.wide()))
     }
 }
 
@@ -83,7 +60,10 @@ impl<S: Scalar> Rays for PerspectiveRays<S> {
         // What half a pixel adds to a moment about a solid as far from the target as may be, which is less
         // than four times the reach, must be below 2³¹. Floating point has no such range.
         let most = S::Wide::from_int(1 << 29) / S::MAX_COORDINATE.wide();
-        self.plane.fits(rows) && (S::SHORTEST <= S::ZERO || self.plane.half_pixel < most)
+        let is_near = S::SHORTEST <= S::ZERO || self.plane.half_pixel < most;
+        let half_pixels = S::Wide::from_int(self.plane.columns as i32 + i32::from(rows));
+        let sideways = half_pixels * (self.plane.half_pixel * self.inverse_distance);
+        self.plane.fits(rows) && is_near && Self::can_hold(sideways)
     }
 
     fn row(&self, y: i32) -> PerspectiveRow<S> {

@@ -9,7 +9,7 @@
 //! its point and direction, also where it is nearly parallel to the axis and m is small.
 
 use super::{Cylinder, frame, set_common, wall_span};
-use crate::geom::{Affine, Extent, PerspectiveRays, Vec3, shortened};
+use crate::geom::{Affine, Extent, PerspectiveRays, Vec3};
 use crate::scalar::{Chord, Number, Real, Scalar};
 use crate::solid::intersect::Passage;
 use crate::solid::leaf::Leaf;
@@ -43,7 +43,6 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cylinder<S> {
             reach: [u.dot_compensated(m), right.1, down.1],
             blur: ((radius + S::ROUNDING.wide()) * S::ROUNDING.wide()).sqrt(),
             eye_within: at_eye.length_squared() < radius * radius,
-            halvings: rays.halvings,
             caps: slab::PerspectiveView::new(&self.caps.normal, rays),
             ball: PerspectiveBall::new(center, ball_radius, rays),
         })
@@ -76,8 +75,7 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cylinder<S> {
         let wide = [m0.times(radius), m1.times(radius), constant(view.blur)];
         let silhouette = extent(&wide, &[reach], columns);
         let caps = slab::PerspectiveRow::new(&view.caps, y);
-        let turn = shortened([m0, m1], view.halvings);
-        *row = Some(PerspectiveRow { moment: [q0, q1], turn, caps });
+        *row = Some(PerspectiveRow { moment: [q0, q1], turn: [m0, m1], caps });
         silhouette.overlap(view.ball.extent(y, columns))
     }
 
@@ -94,9 +92,7 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cylinder<S> {
         let q = row.moment.map(|part| S::from_wide(part.at(x)));
         let m = row.turn.map(|part| S::unit(part.at(x)));
         let chord = match S::chord(self.tube.radius, [S::moment(q, m)], q, m) {
-            Chord::Between(enter, exit) => {
-                [enter, exit].map(|t| PerspectiveRays::along_whole(t, view.halvings))
-            }
+            Chord::Between(enter, exit) => [enter, exit],
             Chord::Along if view.eye_within => [S::LOWEST, S::HIGHEST],
             Chord::Along | Chord::Beside => return,
         };
@@ -129,8 +125,6 @@ pub struct PerspectiveView<S: Scalar> {
     blur: S::Wide,
     /// Whether the eye lies inside the infinite cylinder, and with it any ray along the axis.
     eye_within: bool,
-    /// How often directions are halved.
-    halvings: u8,
     caps: slab::PerspectiveView<S>,
     ball: PerspectiveBall<S>,
 }
@@ -138,7 +132,7 @@ pub struct PerspectiveView<S: Scalar> {
 /// A row of a cylinder, seen from an eye.
 #[derive(Debug, Clone, Copy)]
 pub struct PerspectiveRow<S: Scalar> {
-    /// Two coordinates of q, and of m, halved as directions are.
+    /// Two coordinates of q, and of m.
     moment: [Affine<S::Wide>; 2],
     turn: [Affine<S::Wide>; 2],
     caps: slab::PerspectiveRow<S>,
