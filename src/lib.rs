@@ -58,6 +58,7 @@ extern crate std;
 
 mod error;
 pub mod geom;
+mod numeric;
 mod quadric;
 pub mod render;
 pub mod scalar;

@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used)]
 
 use scancsg::geom::{Ray, RayError, vec3};
-use scancsg::solid::{Cylinder, CylinderWall, RayCast, Solid};
+use scancsg::solid::{Cylinder, CylinderWall, RayCast};
 use scancsg::span::{Face, SpanList};
 
 /// A row of `reference/cylinder.csv`.

@@ -1,6 +1,6 @@
 //! Unit vectors that know whether they point along a coordinate axis.
 
-use super::Vec3;
+use super::vec3::Vec3;
 use crate::scalar::{ConstOps, FixedI32, Fraction, Number, Scalar};
 
 /// A vector of length 1 (up to rounding).

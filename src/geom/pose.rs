@@ -1,6 +1,7 @@
 //! Rigid motions.
 
-use super::{Line, Vec3};
+use super::ray::Line;
+use super::vec3::Vec3;
 use crate::scalar::{FixedI32, Fraction, Number, Real, Scalar};
 
 /// A rotation followed by a translation: where a solid's own frame lies in the scene.

@@ -1,6 +1,6 @@
 //! A line with a parameter, and the ray that a caller asks about.
 
-use super::Vec3;
+use super::vec3::Vec3;
 use crate::scalar::{Rebased, Scalar};
 
 /// A line `p(t) = origin + t · direction`, t from −∞ to +∞: what a solid is asked about.

@@ -29,7 +29,8 @@ pub enum CameraError {
     UpAlongView,
     /// The frame height is not a positive finite number.
     FrameHeight,
-    /// The field of view is not between 0 and π, or so near to π that the frame has no size.
+    /// The field of view is not between 0 and π, or so near to π that the frame has no size. In fixed point
+    /// it must be less than 2.58, or 148°: no square picture could show more.
     FieldOfView,
 }
 
@@ -39,7 +40,7 @@ crate::error_text!(CameraError {
     TooFar => "the camera is too far away for its number type",
     UpAlongView => "the camera looks along its up vector, or that vector is zero",
     FrameHeight => "the frame height of the camera is not a positive number",
-    FieldOfView => "the field of view of the camera is not between 0 and pi",
+    FieldOfView => "the field of view of the camera is not between 0 and pi, or too wide",
 });
 
 /// Where a camera looks, as a right-handed frame of unit vectors: right, down, forward.
@@ -93,21 +94,6 @@ fn checked_height<S: Scalar>(frame_height: S::Wide) -> Result<S::Wide, CameraErr
         Err(CameraError::FrameHeight)
     }
 }
-
-/// How often a number must be halved to fit the type of directions' coordinates.
-fn halvings<S: Scalar>(largest: S::Wide) -> u8 {
-    // A whole number is exact in that type, unless it's beyond the end of the range.
-    let mut largest = S::Wide::from_int(largest.floor_to_i32().saturating_add(1));
-    let mut halvings = 0;
-    while S::wide_unit(S::unit(largest)) < largest && halvings < MOST_HALVINGS {
-        largest = largest * S::Wide::HALF;
-        halvings += 1;
-    }
-    halvings
-}
-
-/// Beyond, rays are at right angles to the viewing direction, but for 2^−18.
-const MOST_HALVINGS: u8 = 16;
 
 /// A camera infinitely far away: all its rays are parallel, and it sees whole lines.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -202,7 +188,11 @@ impl<S: Scalar> Perspective<S> {
         if !(S::Wide::ONE / distance).is_finite() {
             return Err(CameraError::ZeroDirection);
         }
-        let frame_height = checked_height::<S>((distance + distance) * (sin / cos))
+        let tangent = sin / cos;
+        if !PerspectiveRays::<S>::can_hold(tangent + tangent) {
+            return Err(CameraError::FieldOfView);
+        }
+        let frame_height = checked_height::<S>((distance + distance) * tangent)
             .map_err(|_| CameraError::FieldOfView)?;
         Ok(Self { frame, distance, frame_height })
     }
@@ -214,9 +204,6 @@ impl<S: Scalar> Camera for Perspective<S> {
     fn rays(&self, size: Size) -> PerspectiveRays<S> {
         let plane = self.frame.parallel(self.frame_height, size);
         let inverse_distance = S::Wide::ONE / self.distance;
-        let half_pixels = i32::from(size.width()) + i32::from(size.height());
-        let sideways = S::Wide::from_int(half_pixels) * (plane.half_pixel * inverse_distance);
-        let halvings = halvings::<S>(S::Wide::ONE + sideways);
-        PerspectiveRays { plane, distance: self.distance, inverse_distance, halvings }
+        PerspectiveRays { plane, distance: self.distance, inverse_distance }
     }
 }

@@ -1,7 +1,8 @@
 //! What constructors check and compute, for constants: traits have no `const` methods yet.
 
-use super::root::sqrt as const_sqrt;
-use super::{FixedI32, Fraction, Scalar, Scale, Wide};
+use super::fixed::{FixedI32, Fraction, Scale, Wide};
+use super::scalar::Scalar;
+use crate::numeric::{const_sqrt, integer};
 use core::marker::PhantomData;
 
 /// The constant functions of a number type.
@@ -175,7 +176,7 @@ const fn unit<F: Fraction>([x, y, z]: [i64; 3]) -> Option<[Unit<F>; 3]> {
     // The length, and with it the quotients, have at least 30 digits more than the coordinates.
     let length = ((square as u128) << 60).isqrt() as i128;
     const fn coordinate<F: Fraction>(x: i64, length: i128) -> Unit<F> {
-        let bits = super::integer::divide((x as i128) << (30 + 28), length);
+        let bits = integer::divide((x as i128) << (30 + 28), length);
         Unit::<F>::from_bits(bits as i32)
     }
     Some([coordinate::<F>(x, length), coordinate::<F>(y, length), coordinate::<F>(z, length)])
@@ -185,5 +186,5 @@ const fn unit<F: Fraction>([x, y, z]: [i64; 3]) -> Option<[Unit<F>; 3]> {
 const fn along<F: Fraction>([x, y, z]: [Unit<F>; 3], point: [i64; 3]) -> FixedI32<F> {
     let [x, y, z] = [x.to_bits() as i64, y.to_bits() as i64, z.to_bits() as i64];
     let sum = x * point[0] + y * point[1] + z * point[2];
-    FixedI32::from_bits(super::integer::narrow(super::integer::shift_right(sum, 28)))
+    FixedI32::from_bits(integer::narrow(integer::shift_right(sum, 28)))
 }

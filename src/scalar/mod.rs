@@ -8,159 +8,24 @@
 //! Results have the same bits on every target. So nothing here calls a platform's maths library,
 //! contracts a product and a sum, or leaves the order of operations open.
 
-mod armv6m;
 mod const_ops;
-mod double;
-mod error_free;
 mod fixed;
 mod float;
-mod formula;
-#[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64"))))]
-mod fused;
-#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-mod hardware;
-pub(crate) mod integer;
 mod number;
 mod polynomial;
 mod rebase;
-mod root;
-mod scale;
-mod wide;
+#[allow(clippy::module_inception)] // the trait that the folder is named after
+mod scalar;
 
-pub use self::formula::{FixedPoint, Formula, Roots};
-pub use self::number::{Number, Real};
-pub use self::scale::Scale;
-pub use self::wide::Wide;
-pub use ::fixed::FixedI32;
-pub use ::fixed::types::I16F16;
+pub use fixed::{FixedI32, I16F16, Scale, Wide};
+pub use number::{Number, Real};
+pub(crate) use scalar::Float;
+pub use scalar::{FixedPoint, Formula, Roots, Scalar};
 
-pub(crate) use self::const_ops::{ConstOps, Stretch};
-pub(crate) use self::double::Double;
-pub(crate) use self::error_free::two_sum;
-pub(crate) use self::fixed::Fraction;
-pub(crate) use self::float::Float;
+pub(crate) use crate::numeric::{Double, integer, two_sum};
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-pub(crate) use self::hardware::{cubic, leaf};
-pub(crate) use self::polynomial::{FloatFrame, Polynomial};
-pub(crate) use self::rebase::Rebased;
-
-use core::fmt::Debug;
-
-/// A number type that scenes, cameras and rows can be made of: coordinates, lengths and the
-/// parameters of lines.
-///
-/// What else a picture needs are numbers of other sizes. In floating point they are all of the
-/// scene's own type; in fixed point each has its own.
-pub trait Scalar: Number {
-    /// A number of about the size of 1: a coordinate of a direction.
-    type Unit: Number;
-    /// A number with more digits behind the point: for the set-up of views, and for what is added
-    /// up from pixel to pixel.
-    type Wide: Real;
-    /// A positive factor of any size.
-    type Scale: Copy + Debug + PartialEq;
-
-    /// Below every parameter of a crossing: −∞ where the type has it.
-    const LOWEST: Self;
-    /// Above every parameter of a crossing: +∞ where the type has it.
-    const HIGHEST: Self;
-    /// The largest coordinate and radius: 10¹⁵ for `f32`, 10⁶⁰ for `f64`, 4096 for [`I16F16`] and
-    /// 2²⁸ units for all fixed point. Up to there nothing overflows. Beyond, constructors return
-    /// errors.
-    const MAX_COORDINATE: Self;
-    /// The smallest radius: 10⁻¹² for `f32`, 10⁻⁶⁰ for `f64`, one unit in fixed point. Below,
-    /// constructors return errors.
-    const MIN_RADIUS: Self;
-    /// The largest coordinate of a ray's direction must be at least this: 0 in floating point,
-    /// 1/2 in fixed point, so that the parameters of everything within reach can be represented.
-    const SHORTEST: Self;
-    /// The largest coordinate of a ray's direction may be this: 2³⁰ units in fixed point.
-    const LONGEST: Self;
-
-    /// How far off a length in a pixel may be because it is rounded to this type: 0 in floating
-    /// point, whose errors are relative, 2 units in fixed point.
-    const ROUNDING: Self;
-
-    /// How far off a length in a pixel may be that is a sum of up to six lengths, `size` together,
-    /// or of two of these, one of them times the column.
-    fn uncertainty(size: Self::Wide) -> Self::Wide;
-
-    /// The same number with more digits; exact.
-    fn wide(self) -> Self::Wide;
-
-    /// The nearest number, within the range of parameters.
-    fn from_wide(fine: Self::Wide) -> Self;
-
-    /// The nearest number of the size of 1.
-    fn unit(fine: Self::Wide) -> Self::Unit;
-
-    /// The same number with more digits; exact.
-    fn wide_unit(unit: Self::Unit) -> Self::Wide;
-
-    /// `self · unit`, rounded once.
-    #[must_use]
-    fn times_unit(self, unit: Self::Unit) -> Self;
-
-    /// The scalar product with a direction: in twice the working precision, then rounded.
-    fn dot_unit(vector: [Self; 3], direction: [Self::Unit; 3]) -> Self;
-
-    /// The factor 0.
-    const NO_SCALE: Self::Scale;
-
-    /// A number ≥ 0 as a factor.
-    fn scale(fine: Self::Wide) -> Self::Scale;
-
-    /// `self · factor`.
-    #[must_use]
-    fn scaled(self, factor: Self::Scale) -> Self;
-
-    /// `self · factor`, with more digits and a larger range.
-    fn stretched(self, factor: Self::Scale) -> Self::Wide;
-
-    /// `numerators / denominator`; not for a denominator of 0.
-    fn quotients(numerators: [Self::Wide; 2], denominator: Self::Wide) -> [Self; 2];
-
-    /// A leg of a right triangle: `√(hypotenuse² − leg²)`, or `None` if that is not positive.
-    fn leg(hypotenuse: Self, leg: Self) -> Option<Self>;
-
-    /// `q₀m₁ − q₁m₀`, the vector product in two dimensions.
-    fn moment(q: [Self; 2], m: [Self::Unit; 2]) -> Self::Wide;
-
-    /// Where the line `q + t·m` is within `radius` of the origin.
-    ///
-    /// `k` is the vector product of q and m; in two dimensions it has one coordinate, their
-    /// [`moment`](Self::moment). It has more digits, because |k|/|m| is the distance of the line, however
-    /// small m is. With a = |m|² the middle is t = −q·m/a, and the
-    /// half-chord `√(r²a − |k|²)/a`.
-    ///
-    /// `None` if the line has no direction here: m is zero, or too small to divide by its square.
-    fn chord<const K: usize, const N: usize>(
-        radius: Self,
-        k: [Self::Wide; K],
-        q: [Self; N],
-        m: [Self::Unit; N],
-    ) -> Option<Roots<Self>>;
-
-    /// The length of a vector.
-    fn length(vector: [Self; 3]) -> Self;
-
-    /// The vector of this length in the direction of another one; zero if that is zero.
-    fn with_length(vector: [Self; 3], length: Self) -> [Self; 3];
-
-    /// The next smaller number, or [`LOWEST`](Self::LOWEST) if there is none.
-    #[must_use]
-    fn next_below(self) -> Self;
-
-    /// `self` on the scale 0..=255, rounded to nearest; below 0 is 0, above 1 is 255, NaN is 0.
-    fn to_level(self) -> u8;
-
-    /// The formula's result, by the body for this kind of number.
-    #[doc(hidden)]
-    fn compute<F: Formula<Self>>(formula: F) -> F::Output
-    where
-        Self: Sized;
-
-    /// A line with another parameter, in which the numbers stay small; see [`Rebased`].
-    #[doc(hidden)]
-    fn rebased(origin: [Self; 3], direction: [Self; 3]) -> Rebased<Self>;
-}
+pub(crate) use crate::numeric::{cubic, leaf};
+pub(crate) use const_ops::{ConstOps, Stretch};
+pub(crate) use fixed::Fraction;
+pub(crate) use polynomial::{FloatFrame, Polynomial};
+pub(crate) use rebase::Rebased;

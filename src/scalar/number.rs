@@ -4,19 +4,10 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 pub(super) mod sealed {
-    /// A number may be logged only where its type says how.
-    #[cfg(feature = "defmt")]
-    pub trait Loggable: defmt::Format {}
-    #[cfg(feature = "defmt")]
-    impl<T: defmt::Format> Loggable for T {}
-
-    /// Every number may be logged, as nothing can log.
-    #[cfg(not(feature = "defmt"))]
-    pub trait Loggable {}
-    #[cfg(not(feature = "defmt"))]
-    impl<T> Loggable for T {}
+    use crate::numeric::{Loggable, Native};
 
     pub trait Sealed: Loggable {}
+    impl<S: Native> Sealed for S {}
 }
 
 /// A number that vectors can be made of.

@@ -1,6 +1,7 @@
 //! Lines that start far away, counted from a point nearby.
 
-use super::{Float, Scalar};
+use super::number::{Number, Real};
+use crate::numeric::{Native, add_product};
 
 /// A line whose direction has a length of about 1, and whose parameter is counted from a point
 /// near the scene, where that pays.
@@ -16,7 +17,7 @@ pub struct Rebased<S> {
     pub scale: S,
 }
 
-impl<S: Scalar> Rebased<S> {
+impl<S: Number> Rebased<S> {
     /// The line as it is.
     #[inline]
     pub(super) fn unchanged(origin: [S; 3], direction: [S; 3]) -> Self {
@@ -31,7 +32,7 @@ impl<S: Scalar> Rebased<S> {
 /// coordinates are much larger.
 // Always: written to memory in pieces, the line would be waited for when it's read as a whole.
 #[inline(always)]
-pub(super) fn rebased<S: Float>(origin: [S; 3], direction: [S; 3]) -> Rebased<S> {
+pub(super) fn rebased<S: Native>(origin: [S; 3], direction: [S; 3]) -> Rebased<S> {
     let [x, y, z] = direction;
     let scale = x.abs().max(y.abs()).max(z.abs()).normalizing_power();
     let direction = direction.map(|coordinate| coordinate * scale);
@@ -53,7 +54,7 @@ pub(super) fn rebased<S: Float>(origin: [S; 3], direction: [S; 3]) -> Rebased<S>
 /// With φ the angle between the line and the direction to (0, 0, 0), that is sin φ < 1/256, and
 /// cos² φ = (o·d)²/(|o|²|d|²) > 1 − 2⁻¹⁶, which needs no division.
 #[inline]
-fn is_far<S: Float>(origin: [S; 3], direction: [S; 3]) -> bool {
+fn is_far<S: Native>(origin: [S; 3], direction: [S; 3]) -> bool {
     let part = S::ONE - S::ONE / S::from_int(65_536);
     let along = S::dot(origin, direction);
     along * along > S::dot(origin, origin) * S::dot(direction, direction) * part
@@ -61,13 +62,13 @@ fn is_far<S: Float>(origin: [S; 3], direction: [S; 3]) -> bool {
 
 /// The parameter of the point nearest to (0, 0, 0), as well as its neighbours are known.
 #[inline(never)]
-fn nearest<S: Float>(ox: S, oy: S, oz: S, dx: S, dy: S, dz: S) -> S {
+fn nearest<S: Native>(ox: S, oy: S, oz: S, dx: S, dy: S, dz: S) -> S {
     let (origin, direction) = ([ox, oy, oz], [dx, dy, dz]);
     S::dot3(origin, direction) / S::dot(direction, direction)
 }
 
 /// A coordinate after `offset`.
 #[inline(never)]
-fn shifted<S: Float>(origin: S, offset: S, direction: S) -> S {
-    S::add_product(origin, offset, direction)
+fn shifted<S: Native>(origin: S, offset: S, direction: S) -> S {
+    add_product(origin, offset, direction)
 }

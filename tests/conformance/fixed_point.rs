@@ -7,7 +7,8 @@ use proptest::prelude::*;
 use scancsg::constant;
 use scancsg::geom::{Ray, RayError, Rays, Vec3, vec3};
 use scancsg::render::{
-    Camera, Depth, Gray8, Lambert, Orthographic, Perspective, Picture, RowError, Shader, Size, XRay,
+    Camera, CameraError, Depth, Gray8, Lambert, Orthographic, Perspective, Picture, RowError,
+    Shader, Size, XRay,
 };
 use scancsg::scalar::{I16F16, Scalar};
 use scancsg::solid::{
@@ -455,10 +456,11 @@ fn a_point_near_an_oblique_axis() {
     assert!((length - 1.0).abs() < 0.1, "{hit:?}");
 }
 
-/// Directions of pixels far to the side are longer than what the type of their coordinates holds.
+/// Directions of pixels far to the side are as exact as any, up to where the type of their coordinates
+/// ends; wider pictures are errors.
 #[test]
 fn very_wide_pictures() {
-    fn seen<S: Tested>(width: u16) -> Vec<Option<f64>> {
+    fn seen<S: Tested>(width: u16) -> Result<Vec<Option<f64>>, RowError> {
         let rod = S::along(1, [-4.0, 0.75].map(S::near), S::near(0.5), S::near(-1.0), S::ONE);
         let part = rod.unwrap() | ball::<S>([4.0, 0.0, 0.5], 1.0);
         let [eye, target] = [[0.0, 0.0, 1.0], [0.0; 3]].map(vector);
@@ -466,12 +468,12 @@ fn very_wide_pictures() {
             Perspective::look_at(eye, target, vector([0.0, 1.0, 0.0]), S::near(0.5)).unwrap();
         let size = Size::new(width, 1).unwrap();
         let mut picture = Picture::new(&part, &camera, size, XRay::new(S::ONE).unwrap(), Gray8(0));
-        let mut row = picture.scanline(0).unwrap();
-        (0..width).map(|x| row.seen(x).map(|seen| seen.t.to_f64())).collect()
+        let mut row = picture.scanline(0)?;
+        Ok((0..width).map(|x| row.seen(x).map(|seen| seen.t.to_f64())).collect())
     }
-    // A pixel is 0.51 wide at distance 1; some of these are just beyond 8, 16, 32 and 64 to the side.
-    for width in [28, 30, 32, 34, 60, 62, 64, 120, 124, 126, 128, 130, 250, 252, 254, 256, 260] {
-        let (fixed, exact) = (seen::<I16F16>(width), seen::<f64>(width));
+    // A pixel is 0.51 wide at distance 1, so that 27 of them and the height are just beyond 7 together.
+    for width in [25, 26] {
+        let (fixed, exact) = (seen::<I16F16>(width).unwrap(), seen::<f64>(width).unwrap());
         let mut far = 0;
         for (column, (fixed, exact)) in fixed.iter().zip(&exact).enumerate() {
             let sideways = (column as f64 + 0.5 - f64::from(width) / 2.0).abs() * 0.51;
@@ -485,6 +487,25 @@ fn very_wide_pictures() {
         }
         assert!(far > 4, "only {far} of {width} to the side");
     }
+    for width in [27, 28, 30, 32, 34, 60, 64, 126, 128, 256, 260, u16::MAX] {
+        assert_eq!(seen::<I16F16>(width), Err(RowError::Range), "{width}");
+        assert!(seen::<f64>(width).is_ok() && seen::<f32>(width).is_ok(), "{width}");
+    }
+}
+
+/// A square picture of so large a field of view would be too wide.
+#[test]
+fn very_wide_fields_of_view() {
+    fn look<S: Tested>(field_of_view: f64) -> Option<CameraError> {
+        let [eye, target, up] = [[0.0, 0.0, 1.0], [0.0; 3], [0.0, 1.0, 0.0]].map(vector);
+        Perspective::<S>::look_at(eye, target, up, S::near(field_of_view)).err()
+    }
+    let widest = 2.0 * 3.5f64.atan();
+    assert_eq!(look::<I16F16>(widest - 1e-4), None);
+    for field_of_view in [widest + 1e-4, 2.8, 3.0] {
+        assert_eq!(look::<I16F16>(field_of_view), Some(CameraError::FieldOfView));
+        assert_eq!((look::<f32>(field_of_view), look::<f64>(field_of_view)), (None, None));
+    }
 }
 
 /// Coordinates in the image plane would stop at the end of the range, and rays be others than their pixels'.
@@ -492,11 +513,11 @@ fn very_wide_pictures() {
 fn pictures_wider_than_the_range() {
     fn first_row<S: Tested>(width: u16, height: u16) -> Option<RowError> {
         let part = ball::<S>([0.0; 3], 1.0);
-        let (eye, target, up) = ([0.0, 0.0, 100.0], [0.0; 3], [0.0, 1.0, 0.0]);
+        // So far away that directions to the side are short.
+        let (eye, target, up) = ([0.0, 0.0, 3000.0], [0.0; 3], [0.0, 1.0, 0.0]);
         let size = Size::new(width, height).unwrap();
         let shader = XRay::new(S::ONE).unwrap();
-        // As high as it is far away.
-        let angle = S::near(2.0 * 0.5f64.atan());
+        let angle = S::near(2.0 * (50.0f64 / 3000.0).atan());
         let eyes = Perspective::look_at(vector(eye), vector(target), vector(up), angle).unwrap();
         let seen = Picture::new(&part, &eyes, size, shader, Gray8(0)).scanline(0).err();
         let along = Orthographic::look_at(vector(eye), vector(target), vector(up), S::near(100.0));

@@ -143,22 +143,23 @@ pub fn from_middle(index: u32, count: u32) -> i32 {
 }
 
 /// Asks a row in every column, and wants nothing outside of its extent.
-fn check_extents<S, T, R>(solid: &T, rays: &R, height: u16) -> Result<(), TestCaseError>
+fn check_extents<S, T, R>(solid: &T, rays: &R, size: Size) -> Result<(), TestCaseError>
 where
     S: Tested,
     R: Rays<Scalar = S>,
     T: Leaf<R, Scalar = S, Spans = [Span<S>; 1]>,
 {
     let view = solid.view(rays);
-    for y in 0..height {
-        let y = from_middle(y.into(), height.into());
+    let (columns, rows) = (size.width().into(), size.height().into());
+    for y in 0..rows {
+        let y = from_middle(y, rows);
         let mut row = T::Row::EMPTY;
-        let extent = solid.row(&view, y, rays.columns(), &mut row);
+        let extent = solid.row(&view, y, columns, &mut row);
         let is_in_row = solid.is_in_rows(&view, [y; 2]);
-        for index in 0..rays.columns() {
+        for index in 0..columns {
             if !(is_in_row && extent.contains(index)) {
                 let mut spans = [Span::whole_line(Face(0))];
-                let x = from_middle(index, rays.columns());
+                let x = from_middle(index, columns);
                 solid.spans(&view, &row, x, &mut spans);
                 prop_assert!(Span::new(spans[0].enter, spans[0].exit).is_none(), "{x}, {y}");
             }
@@ -194,14 +195,14 @@ fn extents_cut_nothing_off<S: Tested>() {
         let picture = Size::new(64, 24).unwrap();
         let camera = Orthographic::look_along(vector(along), vector(target), up(), frame);
         if let Ok(camera) = camera {
-            check_extents(&rod, &camera.rays(picture), 24)?;
-            check_extents(&ball, &camera.rays(picture), 24)?;
+            check_extents(&rod, &camera.rays(picture), picture)?;
+            check_extents(&ball, &camera.rays(picture), picture)?;
         }
         let eye: [f64; 3] = std::array::from_fn(|i| target[i] - along[i] * unit * far.max(3.0));
         let camera = Perspective::look_at(vector(eye), vector(target), up(), S::near(0.8));
         if let Ok(camera) = camera {
-            check_extents(&rod, &camera.rays(picture), 24)?;
-            check_extents(&ball, &camera.rays(picture), 24)?;
+            check_extents(&rod, &camera.rays(picture), picture)?;
+            check_extents(&ball, &camera.rays(picture), picture)?;
         }
     });
 }

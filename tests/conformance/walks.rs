@@ -238,7 +238,7 @@ where
 fn check_walks<S, T, W, R>(
     (solid, all): (&T, &W),
     rays: &R,
-    height: u16,
+    size: Size,
 ) -> Result<u32, TestCaseError>
 where
     S: Tested,
@@ -246,7 +246,7 @@ where
     T: Scan<R, Scalar = S>,
     W: Solid<Scalar = S> + Scan<R>,
 {
-    let columns = rays.columns();
+    let (columns, height) = (size.width().into(), size.height());
     LEAVES.with_borrow_mut(Vec::clear);
     let mut view = W::View::EMPTY;
     all.view(rays, &mut view);
@@ -279,16 +279,15 @@ impl Views {
         T: Scan<OrthographicRays<S>, Scalar = S> + Scan<PerspectiveRays<S>, Scalar = S>,
         W: Solid<Scalar = S> + Scan<OrthographicRays<S>> + Scan<PerspectiveRays<S>>,
     {
-        let height = self.size.height();
         let mut crossings = 0;
         let frame = S::near(5.0);
         let camera = Orthographic::look_along(vector(self.along), Vec3::ZERO, up(), frame);
         if let Ok(camera) = camera {
-            crossings += check_walks((solid, all), &camera.rays(self.size), height)?;
+            crossings += check_walks((solid, all), &camera.rays(self.size), self.size)?;
         }
         let eye = vector(self.along.map(|way| -way * self.far));
         if let Ok(camera) = Perspective::look_at(eye, Vec3::ZERO, up(), S::ONE) {
-            crossings += check_walks((solid, all), &camera.rays(self.size), height)?;
+            crossings += check_walks((solid, all), &camera.rays(self.size), self.size)?;
         }
         Ok(crossings)
     }

@@ -1,6 +1,6 @@
 //! Integer arithmetic that fixed point is made of: rounded shifts, roots, quotients.
 
-use super::armv6m::{IS_NARROW, leading_zeros, shifted, unsigned_product};
+use super::select::{CORE, Core, shifted, unsigned_product};
 
 /// `value / 2^shift`, rounded to nearest, halves upwards; `shift` may be negative. What leaves
 /// the range of `i64` stays at its end.
@@ -180,6 +180,16 @@ const SEEDS: [u8; 256] = {
     seeds
 };
 
+/// The zeros in front of the first one.
+#[inline]
+pub(crate) const fn leading_zeros(value: u64) -> u32 {
+    // A call for each word, where it's a call: so of one word only.
+    match (value >> 32) as u32 {
+        0 => 32 + (value as u32).leading_zeros(),
+        high => high.leading_zeros(),
+    }
+}
+
 /// A positive number as `mantissa · 2^exponent` with 2³¹ ≤ `mantissa` < 2³², cut off; 0 for 0.
 #[inline]
 pub(crate) const fn normalized(value: u64) -> (u32, i32) {
@@ -193,15 +203,12 @@ pub(crate) const fn normalized(value: u64) -> (u32, i32) {
 /// `2^63 / mantissa` for 2³¹ ≤ `mantissa` < 2³²: between 2³¹ and 2³².
 #[inline]
 pub(crate) const fn reciprocal(mantissa: u32) -> u32 {
-    if mantissa == 0 {
-        u32::MAX
-    } else if IS_NARROW {
-        reciprocal_by_steps(mantissa)
-    } else if cfg!(target_pointer_width = "64") {
+    match CORE {
+        _ if mantissa == 0 => u32::MAX,
+        Core::Narrow => reciprocal_by_steps(mantissa),
+        Core::Word => reciprocal_by_halves(mantissa),
         // 2^63 − 1, so that the reciprocal of 2³¹ fits.
-        (((1u64 << 63) - 1) / mantissa as u64) as u32
-    } else {
-        reciprocal_by_halves(mantissa)
+        Core::Long => (((1u64 << 63) - 1) / mantissa as u64) as u32,
     }
 }
 
@@ -263,6 +270,11 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
+        #[test]
+        fn zeros_are_counted(any: u64, shift in 0..64u32) {
+            prop_assert_eq!(leading_zeros(any >> shift), (any >> shift).leading_zeros());
+        }
+
         #[test]
         fn shifts_round(value in -1i64 << 40..1i64 << 40, shift in 0i32..50) {
             let exact = value as f64 / 2f64.powi(shift);

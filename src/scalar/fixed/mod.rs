@@ -3,12 +3,21 @@
 //! Products of two numbers are exact in 64 bits, so a difference of squares is exact too, and
 //! whether it is positive is never a matter of rounding.
 
-use super::armv6m::{leading_zeros, product, unsigned_product};
-use super::formula::{FixedPoint, Formula, Roots};
-use super::integer::{divide, narrow, normalized, reciprocal, rounded_to_i32, shift_right, sqrt};
-use super::number::sealed::Sealed;
+mod scale;
+mod wide;
+
+pub use ::fixed::FixedI32;
+pub use ::fixed::types::I16F16;
+pub use scale::Scale;
+pub use wide::Wide;
+
+use super::number::{Number, sealed::Sealed};
 use super::rebase::Rebased;
-use super::{FixedI32, Number, Scalar, Scale, Wide};
+use super::scalar::{FixedPoint, Formula, Roots, Scalar};
+use crate::numeric::integer::{
+    divide, leading_zeros, narrow, normalized, reciprocal, rounded_to_i32, shift_right, sqrt,
+};
+use crate::numeric::{product, unsigned_product};
 use ::fixed::types::extra::{LeEqU32, U28};
 
 /// A number of fraction bits from 8 to 28.

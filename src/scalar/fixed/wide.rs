@@ -1,9 +1,8 @@
 //! 64-bit fixed point: the numbers that a fixed-point picture is set up with.
 
-use super::armv6m::steps;
-use super::integer::{long_quotient, long_root, shift_right, shift_right_wide};
-use super::number::sealed::Sealed;
-use super::{Number, Real};
+use crate::numeric::integer::{long_quotient, long_root, shift_right, shift_right_wide};
+use crate::numeric::steps;
+use crate::scalar::number::{Number, Real, sealed::Sealed};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A signed number with 32 bits before and 32 bits behind the binary point.
@@ -15,7 +14,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 pub struct Wide(i64);
 
 impl Wide {
-    pub(super) const FRACTION_BITS: u32 = 32;
+    pub(in crate::scalar) const FRACTION_BITS: u32 = 32;
 
     /// The number of 2^−32 times `bits`.
     #[must_use]

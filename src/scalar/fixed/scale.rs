@@ -1,8 +1,8 @@
 //! Factors of any size for fixed-point numbers.
 
-use super::Wide;
-use super::armv6m::product;
-use super::integer::{normalized, reciprocal, shift_right};
+use super::wide::Wide;
+use crate::numeric::integer::{normalized, reciprocal, shift_right};
+use crate::numeric::product;
 
 /// `mantissa · 2^−shift`: a number ≥ 0 with 31 significant bits, whatever its size.
 ///
@@ -28,7 +28,7 @@ impl Scale {
     }
 
     /// 1/`number` for a number > 0, rounded down.
-    pub(super) const fn inverse(number: Wide) -> Self {
+    pub(in crate::scalar) const fn inverse(number: Wide) -> Self {
         let bits = if number.to_bits() > 0 { number.to_bits().cast_unsigned() } else { 0 };
         let (mantissa, exponent) = normalized(bits);
         let shift = 62 + exponent - Wide::FRACTION_BITS as i32;

@@ -3,14 +3,10 @@
 //! `core` has neither a square root nor a fused product, and `libm`'s root is 43 instructions
 //! where the unit needs one. Assembly takes no floating-point registers as operands on these
 //! targets, so numbers go in and out as bits, through core registers.
-//!
-//! Any target that passes floats in the unit's registers (`eabihf`) has `vsqrt.f32`. Fused products
-//! came later: all Cortex-M with a unit have them, some Cortex-R, -A and Arm11 don't. Of the `eabihf`
-//! targets, those for Cortex-M are the ones without 64-bit atomics; that a compiler can tell.
 
 #![allow(unsafe_code)]
 
-use super::{FloatFrame, Polynomial};
+use crate::scalar::{FloatFrame, Polynomial};
 use core::arch::asm;
 use core::mem::offset_of;
 
@@ -42,27 +38,6 @@ pub(super) fn two_product(a: f32, b: f32) -> (f32, f32) {
         );
     }
     (f32::from_bits(x), f32::from_bits(y))
-}
-
-/// `x·x − y`, by a fused product and sum.
-#[cfg(not(target_has_atomic = "64"))]
-#[inline]
-pub(super) fn square_less(x: f32, y: f32) -> f32 {
-    let mut bits = y.to_bits();
-    // SAFETY: as in `two_product`.
-    unsafe {
-        asm!(
-            "vmov s14, s15, {x}, {y}",
-            "vfnms.f32 s15, s14, s14", // x·x − y
-            "vmov {y}, s15",
-            x = in(reg) x.to_bits(),
-            y = inout(reg) bits,
-            out("s14") _,
-            out("s15") _,
-            options(pure, nomem, nostack, preserves_flags),
-        );
-    }
-    f32::from_bits(bits)
 }
 
 /// The square root, correctly rounded; NaN below zero.

@@ -1,27 +1,12 @@
-//! Error-free transformations: sums and products with their rounding errors, and what is made of them.
+//! Error-free transformations: sums and products with their rounding errors.
 //!
 //! The error of a product can be represented exactly, so that every target may compute it in the way
 //! that it is fastest at, and all get the same bits.
 
-use super::Float;
-#[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64"))))]
-pub(super) use super::fused::{
-    quick_square_less as quick_square_less_f32, square_less as square_less_f32,
-};
-#[cfg(all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64")))]
-pub(super) use super::hardware::{square_less as square_less_f32, two_product as two_product_f32};
-#[cfg(all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64")))]
-pub(super) use quick_square_less as quick_square_less_f32;
-#[cfg(not(any(
-    target_pointer_width = "64",
-    all(target_arch = "arm", target_abi = "eabihf", not(target_has_atomic = "64"))
-)))]
-pub(super) use two_product_soft as two_product_f32;
-#[cfg(target_pointer_width = "64")]
-pub(super) use two_product_wide as two_product_f32;
+use core::ops::{Add, Mul, Sub};
 
 /// A binary floating-point number that can be split into two halves of its precision.
-pub(super) trait Split: Float {
+pub trait Split: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
     /// High and low half: `self = high + low` exactly, and products of halves are exact.
     fn split(self) -> (Self, Self);
 }
@@ -50,11 +35,18 @@ impl Split for f64 {
 /// Knuth, *The Art of Computer Programming* vol. 2, section 4.2.2, theorem B. Exact for all
 /// finite inputs whose sum does not overflow.
 #[inline]
-pub(crate) fn two_sum<S: Float>(a: S, b: S) -> (S, S) {
+pub(crate) fn two_sum<S: Split>(a: S, b: S) -> (S, S) {
     let sum = a + b;
     let b_rounded = sum - a;
     let a_rounded = sum - b_rounded;
     (sum, (a - a_rounded) + (b - b_rounded))
+}
+
+/// The sum of two numbers, the first of which is the larger, and its rounding error.
+#[inline]
+pub(super) fn quick_two_sum<S: Split>(large: S, small: S) -> (S, S) {
+    let sum = large + small;
+    (sum, small - (sum - large))
 }
 
 /// The product of two numbers and its rounding error, exactly: `a·b = product + error`.
@@ -100,49 +92,6 @@ pub(super) fn two_product_wide(a: f32, b: f32) -> (f32, f32) {
     (product, (exact - f64::from(product)) as f32)
 }
 
-/// `x² − y`, rounded from twice the precision.
-#[inline]
-pub(super) fn square_less_f64(x: f64, y: f64) -> f64 {
-    f64::add_product(-y, x, x)
-}
-
-/// [`Float::square_less`], where it takes no longer in any case.
-#[inline]
-pub(super) fn quick_square_less<S: Float>(x: S, y: S) -> Option<S> {
-    Some(S::square_less(x, y))
-}
-
-/// `a·b − c·d` from error-free products, good to 2 units in the last place.
-///
-/// Kahan's difference of products; the bound is that of Jeannerod, Louvet and Muller, *Further
-/// analysis of Kahan's algorithm for the accurate computation of 2×2 determinants*, Mathematics
-/// of Computation 82 (2013), section 4, with both products' errors kept.
-#[inline]
-pub(super) fn product_difference<S: Float>(a: S, b: S, c: S, d: S) -> S {
-    let (ab, ab_error) = S::two_product(a, b);
-    let (cd, cd_error) = S::two_product(c, d);
-    (ab - cd) + (ab_error - cd_error)
-}
-
-/// The sum of three products in twice the working precision: algorithm `Dot2` of Ogita, Rump and
-/// Oishi, *Accurate sum and dot product*, SIAM Journal on Scientific Computing 26 (2005).
-#[inline]
-pub(super) fn dot3<S: Float>(x: [S; 3], y: [S; 3]) -> S {
-    let (sum, error) = long_dot3(x, y);
-    sum + error
-}
-
-/// [`dot3`] before its last rounding: the sum, and what it has lost.
-#[inline]
-pub(super) fn long_dot3<S: Float>(x: [S; 3], y: [S; 3]) -> (S, S) {
-    let (p0, e0) = S::two_product(x[0], y[0]);
-    let (p1, e1) = S::two_product(x[1], y[1]);
-    let (p2, e2) = S::two_product(x[2], y[2]);
-    let (s, f1) = two_sum(p0, p1);
-    let (s, f2) = two_sum(s, p2);
-    (s, ((e0 + e1) + f1) + (e2 + f2))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -174,18 +123,6 @@ mod tests {
             let (sum, error) = two_sum(a, b);
             prop_assert_eq!(sum, a + b);
             prop_assert_eq!(f64::from(sum) + f64::from(error), f64::from(a) + f64::from(b));
-        }
-
-        #[test]
-        fn a_difference_of_products_survives_cancellation(
-            a in 1f32..2.0, b in 1f32..2.0, ulps in -3i32..=3,
-        ) {
-            // c·d is a·b moved by a few ulps: the naive difference has no correct digit left.
-            let c = f32::from_bits(a.to_bits().wrapping_add_signed(ulps));
-            let d = f32::from_bits(b.to_bits().wrapping_add_signed(1));
-            let exact = f64::from(a) * f64::from(b) - f64::from(c) * f64::from(d);
-            let got = f64::from(product_difference(a, b, c, d));
-            prop_assert!((got - exact).abs() <= 1.2e-7 * exact.abs(), "{got} against {exact}");
         }
     }
 }

@@ -2,48 +2,11 @@
 //!
 //! A Cortex-M0 multiplies 32 by 32 bits to 32, and its run-time library makes 64 bits out of 64 by
 //! 64, which is twice what is needed here. Its shifts of 64 bits are calls, and it counts no leading
-//! zeros. Other cores have instructions.
+//! zeros. Other cores have instructions, and take none of this.
 
 /// `a · b`.
-#[inline]
-pub(crate) const fn product(a: i32, b: i32) -> i64 {
-    if IS_NARROW { signed_of_halves(a, b) } else { a as i64 * b as i64 }
-}
-
-/// `a · b`.
-#[inline]
-pub(crate) const fn unsigned_product(a: u32, b: u32) -> u64 {
-    if IS_NARROW { product_of_halves(a, b) } else { a as u64 * b as u64 }
-}
-
-/// `step · count`, modulo 2⁶⁴.
-#[inline]
-pub(crate) const fn steps(step: i64, count: i32) -> i64 {
-    if IS_NARROW { steps_of_halves(step, count) } else { step.wrapping_mul(count as i64) }
-}
-
-/// `value >> by`, for shifts by less than 64 bits.
-#[inline]
-pub(crate) const fn shifted(value: i64, by: u32) -> i64 {
-    if IS_NARROW { shifted_words(value, by) } else { value >> by }
-}
-
-/// The zeros in front of the first one.
-#[inline]
-pub(crate) const fn leading_zeros(value: u64) -> u32 {
-    // A call for each word, where it's a call: so of one word only.
-    match (value >> 32) as u32 {
-        0 => 32 + (value as u32).leading_zeros(),
-        high => high.leading_zeros(),
-    }
-}
-
-/// Whether the core has no wide product: of those that Rust compiles for, ARMv6-M. It is the one
-/// Arm without atomic exchange.
-pub(crate) const IS_NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
-
 #[inline(never)]
-const fn product_of_halves(a: u32, b: u32) -> u64 {
+pub(super) const fn unsigned_product(a: u32, b: u32) -> u64 {
     let (a_high, a_low) = (a >> 16, a & 0xffff);
     let (b_high, b_low) = (b >> 16, b & 0xffff);
     let ends = ((a_high * b_high) as u64) << 32 | (a_low * b_low) as u64;
@@ -51,16 +14,18 @@ const fn product_of_halves(a: u32, b: u32) -> u64 {
     ends.wrapping_add(middle).wrapping_add(((a_low * b_high) as u64) << 16)
 }
 
+/// `a · b`.
 #[inline(never)]
-const fn signed_of_halves(a: i32, b: i32) -> i64 {
-    let product = product_of_halves(a.cast_unsigned(), b.cast_unsigned());
+pub(super) const fn signed_product(a: i32, b: i32) -> i64 {
+    let product = unsigned_product(a.cast_unsigned(), b.cast_unsigned());
     // A negative number counts 2³² too much.
     let too_much = (a >> 31 & b).wrapping_add(b >> 31 & a);
     product.wrapping_sub((too_much.cast_unsigned() as u64) << 32).cast_signed()
 }
 
+/// `step · count`, modulo 2⁶⁴.
 #[inline(never)]
-const fn steps_of_halves(step: i64, count: i32) -> i64 {
+pub(super) const fn steps(step: i64, count: i32) -> i64 {
     let (high, low) = ((step >> 32) as i32, step as u32);
     let of_high = (high.wrapping_mul(count) as i64) << 32;
     // Pictures of up to 32,768 columns and rows.
@@ -69,14 +34,15 @@ const fn steps_of_halves(step: i64, count: i32) -> i64 {
         let upper = ((low >> 16).cast_signed() * count) as i64;
         of_high.wrapping_add(upper << 16).wrapping_add(lower as i64)
     } else {
-        let of_low = product_of_halves(low, count.cast_unsigned()).cast_signed();
+        let of_low = unsigned_product(low, count.cast_unsigned()).cast_signed();
         let too_much = ((count >> 31).cast_unsigned() & low) as i64;
         of_high.wrapping_add(of_low).wrapping_sub(too_much << 32)
     }
 }
 
+/// `value >> by`, for shifts by less than 64 bits.
 #[inline]
-const fn shifted_words(value: i64, by: u32) -> i64 {
+pub(super) const fn shifted(value: i64, by: u32) -> i64 {
     let (high, low) = ((value >> 32) as i32, value as u32);
     let (high, low) = if by == 0 {
         (high, low)
@@ -96,17 +62,15 @@ mod tests {
     proptest! {
         #[test]
         fn halves_make_the_whole_product(a: i32, b: i32, step: i64, small in -40_000i32..40_000) {
-            prop_assert_eq!(signed_of_halves(a, b), i64::from(a) * i64::from(b));
+            prop_assert_eq!(signed_product(a, b), i64::from(a) * i64::from(b));
             let (x, y) = (a.cast_unsigned(), b.cast_unsigned());
-            prop_assert_eq!(product_of_halves(x, y), u64::from(x) * u64::from(y));
+            prop_assert_eq!(unsigned_product(x, y), u64::from(x) * u64::from(y));
             for by in 0..64 {
-                prop_assert_eq!(shifted_words(step, by), step >> by);
+                prop_assert_eq!(shifted(step, by), step >> by);
             }
-            let unsigned = step.cast_unsigned() >> (b & 63);
-            prop_assert_eq!(leading_zeros(unsigned), unsigned.leading_zeros());
             for count in [a, small] {
                 let want = step.wrapping_mul(i64::from(count));
-                prop_assert_eq!(steps_of_halves(step, count), want);
+                prop_assert_eq!(steps(step, count), want);
             }
         }
     }
@@ -116,10 +80,10 @@ mod tests {
         let ends = [i32::MIN, i32::MIN + 1, -1, 0, 1, 0x7fff, 0x8000, 0xffff, i32::MAX];
         for a in ends {
             for b in ends {
-                assert_eq!(signed_of_halves(a, b), i64::from(a) * i64::from(b));
+                assert_eq!(signed_product(a, b), i64::from(a) * i64::from(b));
                 let step = i64::from(a) << 32 | i64::from(b);
-                assert_eq!(steps_of_halves(step, a), step.wrapping_mul(i64::from(a)));
-                assert_eq!(steps_of_halves(step, b), step.wrapping_mul(i64::from(b)));
+                assert_eq!(steps(step, a), step.wrapping_mul(i64::from(a)));
+                assert_eq!(steps(step, b), step.wrapping_mul(i64::from(b)));
             }
         }
     }

@@ -1,0 +1,22 @@
+//! Arithmetic on plain numbers: error-free sums and products of floating-point numbers, and the
+//! long products, roots and quotients of integers that fixed point is made of.
+//!
+//! Nothing here knows a scene's number type. Which body runs on which target is decided in `select`.
+
+mod armv6m;
+mod double;
+mod error_free;
+#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+mod fpu;
+pub(crate) mod integer;
+mod native;
+mod root;
+mod select;
+
+pub(crate) use double::{Double, add_product, dot3, product_difference};
+pub(crate) use error_free::two_sum;
+#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+pub(crate) use fpu::{cubic, leaf};
+pub use native::{Loggable, Native};
+pub(crate) use root::sqrt as const_sqrt;
+pub(crate) use select::{SATURATES_TO_I32, product, steps, unsigned_product};
