@@ -3,40 +3,15 @@
 //! Nothing here needs an operating system: firmware gives it a UART, the host a pseudo-terminal.
 
 use embedded_io::Write;
-use scancsg::geom::Rays;
-use scancsg::render::{Picture, Pixel, RowError, Shader, Size};
-use scancsg::solid::{Scan, Solid};
+use scancsg::render::{RowError, RowSource};
 use scancsg::stream::{
-    CONTROL_CAPACITY, Decoder, FrameHeader, Packet, Part, Request, SendError, Sender,
+    CONTROL_CAPACITY, Decoder, FrameHeader, Packet, Part, Request, SendError, Sender, WirePixel,
 };
 
 /// A serial line that can also be listened to.
 pub trait Line: Write {
     /// The next byte from the other end, or `None` if none came within about a second.
     fn listen(&mut self) -> Result<Option<u8>, Self::Error>;
-}
-
-/// A picture that can be rendered row by row, and any row again.
-pub trait Rows<P> {
-    fn size(&self) -> Size;
-
-    fn render(&mut self, y: u16, pixels: &mut [P]) -> Result<(), RowError>;
-}
-
-impl<T, R, H, P> Rows<P> for Picture<'_, T, R, H, P>
-where
-    R: Rays,
-    T: Solid<Scalar = R::Scalar> + Scan<R>,
-    H: Shader<R::Scalar>,
-    P: Pixel,
-{
-    fn size(&self) -> Size {
-        self.size()
-    }
-
-    fn render(&mut self, y: u16, pixels: &mut [P]) -> Result<(), RowError> {
-        self.scanline(y)?.render(pixels)
-    }
 }
 
 /// How a frame ended.
@@ -77,13 +52,13 @@ const PATIENCE: u32 = 3;
 /// Sends one frame, and then renders again whatever was lost on the way, until the other end has
 /// everything. `pixels` is the memory for one row.
 pub fn send_frame<P, L, const N: usize>(
-    picture: &mut impl Rows<P>,
+    picture: &mut impl RowSource<Pixel = P>,
     frame: u16,
     sender: &mut Sender<L, N>,
     pixels: &mut [P],
 ) -> Result<Delivery, DeviceError<L::Error>>
 where
-    P: Pixel,
+    P: WirePixel,
     L: Line,
 {
     let size = picture.size();

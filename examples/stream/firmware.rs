@@ -11,10 +11,8 @@ use crate::device::{Delivery, DeviceError, Line, send_frame};
 use crate::scene::{Scene, Tee};
 use embedded_io::{Error, ErrorKind, ErrorType, Read, ReadReady, Write};
 use number::Number;
-use scancsg::render::{
-    CameraError, Gray8, Lambert, Picture, PixelFormat, ShadeError, Size, SizeError,
-};
-use scancsg::stream::{SendError, Sender, packet_capacity};
+use scancsg::render::{CameraError, Gray8, Lambert, Picture, ShadeError, Size, SizeError};
+use scancsg::stream::{PixelFormat, SendError, Sender, packet_capacity};
 
 const WIDTH: u16 = 160;
 const HEIGHT: u16 = 120;

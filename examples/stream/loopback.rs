@@ -1,7 +1,7 @@
 //! The host: chooses what is rendered, gives it a line, and looks at what comes out.
 
 use crate::args::{self, Args, Camera, Format, Number, Path, Shade};
-use crate::device::{self, Delivery, DeviceError, Line, Rows};
+use crate::device::{self, Delivery, DeviceError, Line};
 use crate::host::image::write_png;
 use crate::host::port::{self, Faults, Port, Wire};
 use crate::host::receive::{CAPACITY, Ending, Frame, Session};
@@ -11,12 +11,12 @@ use crate::scene::pipe::PipeScene;
 use clap::Parser;
 use scancsg::geom::{OrthographicRays, PerspectiveRays, Pose, Rays};
 use scancsg::render::{
-    Blend, Depth, Gray8, Lambert, Picture, Rgb565, RowError, Shader, Size, SmoothColumn,
-    SmoothPicture, Smoothing, XRay,
+    Blend, Depth, Gray8, Lambert, Picture, Rgb565, Shader, Size, SmoothColumn, SmoothPicture,
+    Smoothing, XRay,
 };
 use scancsg::scalar::I16F16;
 use scancsg::solid::{Placed, Scan, Solid};
-use scancsg::stream::{SendError, Sender};
+use scancsg::stream::{SendError, Sender, WirePixel};
 use std::f64::consts::TAU;
 use std::io::{self, Read, Write};
 use std::process::ExitCode;
@@ -272,7 +272,7 @@ fn send_shaded<S, T, P>(
 where
     S: Choice,
     T: Part<S>,
-    P: Blend,
+    P: Blend + WirePixel,
 {
     let n = S::hundredths;
     let text = |error: scancsg::render::ShadeError| error.to_string();
@@ -305,7 +305,7 @@ where
     S: Choice,
     T: Part<S>,
     H: Shader<S> + Copy,
-    P: Blend,
+    P: Blend + WirePixel,
 {
     // Where the camera is in a frame, unless it stays where it is.
     let eye = |frame: u16| match args.path {
@@ -345,7 +345,7 @@ where
     C: scancsg::render::Camera<Rays: Rays<Scalar = S>>,
     T: Solid<Scalar = S> + Scan<C::Rays>,
     H: Shader<S> + Copy,
-    P: Blend,
+    P: Blend + WirePixel,
 {
     let size: Size = args.size;
     let mut sender = Box::new(Sender::<_, CAPACITY>::new(line));
@@ -378,22 +378,6 @@ where
         sent(frame);
     }
     Ok(Sent { bytes: sender.bytes_sent(), unheard })
-}
-
-impl<T, R, H, P> Rows<P> for SmoothPicture<'_, '_, T, R, H, P>
-where
-    R: Rays,
-    T: Solid<Scalar = R::Scalar> + Scan<R>,
-    H: Shader<R::Scalar>,
-    P: Blend,
-{
-    fn size(&self) -> Size {
-        self.size()
-    }
-
-    fn render(&mut self, y: u16, pixels: &mut [P]) -> Result<(), RowError> {
-        self.render(y, pixels)
-    }
 }
 
 fn describe_error(error: &DeviceError<io::Error>) -> String {

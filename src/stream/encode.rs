@@ -7,8 +7,8 @@ use cobs::CobsEncoder;
 
 use super::crc::{Crc32, FrameHash, crc32_start};
 use super::packet::{Encoding, FrameHeader, PROTOCOL_VERSION, Request, kind};
+use super::pixel::{PixelFormat, WirePixel};
 use super::rle;
-use crate::render::{Pixel, PixelFormat};
 
 /// The size of a frame header between the COBS framing: the longest packet but for rows.
 const HEADER_LEN: usize = 13;
@@ -24,8 +24,7 @@ pub const CONTROL_CAPACITY: usize = 1 + framed(HEADER_LEN);
 /// included.
 ///
 /// ```
-/// use scancsg::render::PixelFormat;
-/// use scancsg::stream::{Decoder, packet_capacity};
+/// use scancsg::stream::{Decoder, PixelFormat, packet_capacity};
 ///
 /// const CAPACITY: usize = packet_capacity(320, PixelFormat::Rgb565);
 /// assert_eq!(CAPACITY, 654);
@@ -135,14 +134,14 @@ pub fn encode_header(header: FrameHeader, buffer: &mut [u8]) -> Result<usize, En
 /// [`EncodeError::Size`] if there are no pixels or more than 65535; [`EncodeError::BufferTooSmall`].
 ///
 /// ```
-/// use scancsg::render::{Gray8, PixelFormat};
-/// use scancsg::stream::{encode_row, packet_capacity};
+/// use scancsg::render::Gray8;
+/// use scancsg::stream::{PixelFormat, encode_row, packet_capacity};
 ///
 /// let mut buffer = [0; packet_capacity(320, PixelFormat::Gray8)];
 /// // An even row of 320 pixels is three runs.
 /// assert_eq!(encode_row(7, 0, &[Gray8(0); 320], &mut buffer), Ok(18));
 /// ```
-pub fn encode_row<P: Pixel>(
+pub fn encode_row<P: WirePixel>(
     frame: u16,
     y: u16,
     pixels: &[P],
@@ -171,7 +170,7 @@ pub fn encode_row<P: Pixel>(
     terminate(buffer, len)
 }
 
-fn put_pixels<P: Pixel>(encoder: &mut Encoder<'_>, pixels: &[P]) -> Result<(), EncodeError> {
+fn put_pixels<P: WirePixel>(encoder: &mut Encoder<'_>, pixels: &[P]) -> Result<(), EncodeError> {
     pixels.iter().try_for_each(|pixel| encoder.put(pixel.to_le_bytes().as_ref()))
 }
 

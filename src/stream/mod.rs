@@ -22,7 +22,7 @@
 //! | 0x82 | ack     | frame `u16`                                                                        |
 //!
 //! Kinds from 0x80 on go back from the receiver to the sender. Pixel formats have the codes of
-//! [`PixelFormat::code`](crate::render::PixelFormat::code). Encoding 0 is the pixels as they are, encoding 1
+//! [`PixelFormat::code`](PixelFormat::code). Encoding 0 is the pixels as they are, encoding 1
 //! PackBits (Apple Technical Note TN1023; TIFF 6.0, section 9) in units of pixels, not bytes; the sender
 //! takes the shorter one. The hash of the frame is the sum modulo 2^32 of its rows' hashes, and a row's hash
 //! is the CRC-32 of y (`u16`) and the row's pixels as they are ([`RowHash`], [`FrameHash`]).
@@ -59,8 +59,10 @@
 //! # Example
 //!
 //! ```
-//! use scancsg::render::{Gray8, PixelFormat};
-//! use scancsg::stream::{Decoder, Event, FrameHeader, Receiver, Sender, packet_capacity};
+//! use scancsg::render::Gray8;
+//! use scancsg::stream::{
+//!     Decoder, Event, FrameHeader, PixelFormat, Receiver, Sender, packet_capacity,
+//! };
 //!
 //! const CAPACITY: usize = packet_capacity(4, PixelFormat::Gray8);
 //! let rows = [[1, 2, 3, 4].map(Gray8), [9, 9, 9, 9].map(Gray8)];
@@ -93,6 +95,7 @@ mod crc;
 mod decode;
 mod encode;
 mod packet;
+mod pixel;
 mod receiver;
 mod rle;
 mod sender;
@@ -107,5 +110,6 @@ pub use packet::{
     Encoding, FrameHeader, PROTOCOL_VERSION, Packet, PacketError, Part, Request, RowPayload,
     UnpackError,
 };
+pub use pixel::{PixelFormat, WirePixel};
 pub use receiver::{Event, ReceiveError, Receiver};
 pub use sender::{SendError, Sender};

@@ -4,8 +4,8 @@
 //! the bodies are in the [table of this layer](super).
 
 use super::crc::{FrameHash, crc32};
+use super::pixel::PixelFormat;
 use super::rle;
-use crate::render::PixelFormat;
 
 /// The version of the protocol, sent in every frame header. Another version is refused, not guessed at.
 pub const PROTOCOL_VERSION: u8 = 1;
@@ -111,8 +111,7 @@ impl RowPayload<'_> {
     /// written then.
     ///
     /// ```
-    /// use scancsg::render::PixelFormat;
-    /// use scancsg::stream::{Encoding, RowPayload};
+    /// use scancsg::stream::{Encoding, PixelFormat, RowPayload};
     ///
     /// // Three copies of one RGB565 pixel: control byte 1 - 3 = -2.
     /// let payload = RowPayload { encoding: Encoding::PackBits, bytes: &[0xFE, 0x34, 0x12] };

@@ -9,7 +9,7 @@
 //! - -128: nothing follows (never written here, skipped when read).
 
 use super::packet::UnpackError;
-use crate::render::{Pixel, PixelFormat};
+use super::pixel::{PixelFormat, WirePixel};
 
 /// The most pixels that one control byte can stand for.
 const MAX_CHUNK: usize = 128;
@@ -51,19 +51,19 @@ pub(super) struct Chunks<'a, P> {
 }
 
 /// Cuts `pixels` into chunks.
-pub(super) const fn chunks<P: Pixel>(pixels: &[P]) -> Chunks<'_, P> {
+pub(super) const fn chunks<P: WirePixel>(pixels: &[P]) -> Chunks<'_, P> {
     Chunks { rest: pixels }
 }
 
 /// The size of the packed pixels in bytes.
-pub(super) fn packed_len<P: Pixel>(pixels: &[P]) -> usize {
+pub(super) fn packed_len<P: WirePixel>(pixels: &[P]) -> usize {
     let pixel = P::FORMAT.bytes_per_pixel();
     chunks(pixels).fold(0, |sum: usize, chunk| {
         sum.saturating_add(chunk.pixels().len().saturating_mul(pixel)).saturating_add(1)
     })
 }
 
-impl<'a, P: Pixel> Iterator for Chunks<'a, P> {
+impl<'a, P: WirePixel> Iterator for Chunks<'a, P> {
     type Item = Chunk<'a, P>;
 
     fn next(&mut self) -> Option<Chunk<'a, P>> {
@@ -93,7 +93,7 @@ impl<'a, P: Pixel> Iterator for Chunks<'a, P> {
 }
 
 /// How many pixels at the start are alike, at most `cap`.
-fn run_length<P: Pixel>(pixels: &[P], cap: usize) -> usize {
+fn run_length<P: WirePixel>(pixels: &[P], cap: usize) -> usize {
     let first = pixels.first();
     pixels.iter().take(cap).take_while(|pixel| Some(*pixel) == first).count()
 }
@@ -164,7 +164,7 @@ mod tests {
     use super::*;
     use crate::render::{Gray8, Rgb565};
 
-    fn pack<P: Pixel>(pixels: &[P]) -> Vec<u8> {
+    fn pack<P: WirePixel>(pixels: &[P]) -> Vec<u8> {
         let mut bytes = Vec::new();
         for chunk in chunks(pixels) {
             bytes.push(chunk.control());
@@ -176,7 +176,7 @@ mod tests {
     }
 
     /// The least size of any packing, by dynamic programming over all ways to cut the row.
-    fn shortest<P: Pixel>(pixels: &[P]) -> usize {
+    fn shortest<P: WirePixel>(pixels: &[P]) -> usize {
         let bpp = P::FORMAT.bytes_per_pixel();
         let mut best = std::vec![0_usize; pixels.len() + 1];
         for end in 1..=pixels.len() {
@@ -233,7 +233,7 @@ mod tests {
         }
     }
 
-    fn check<P: Pixel>(pixels: &[P]) -> Result<(), TestCaseError> {
+    fn check<P: WirePixel>(pixels: &[P]) -> Result<(), TestCaseError> {
         let packed = pack(pixels);
         prop_assert_eq!(packed.len(), packed_len(pixels));
         // Exactly, until the limit of 128 pixels cuts a chunk where a cleverer cut would save a byte.

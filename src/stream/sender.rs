@@ -7,7 +7,7 @@ use embedded_io::Write;
 use super::crc::{FrameHash, RowHash};
 use super::encode::{EncodeError, encode_end, encode_header, encode_row, packet_capacity};
 use super::packet::FrameHeader;
-use crate::render::Pixel;
+use super::pixel::WirePixel;
 
 /// Sends frames row by row.
 ///
@@ -89,7 +89,7 @@ impl<W: Write, const N: usize> Sender<W, N> {
     ///
     /// [`SendError::NoFrame`], [`SendError::Format`], [`SendError::Width`], [`SendError::Row`] or
     /// [`SendError::Order`] if this is not the frame's next row; [`SendError::Io`].
-    pub fn row<P: Pixel>(&mut self, y: u16, pixels: &[P]) -> Result<(), SendError<W::Error>> {
+    pub fn row<P: WirePixel>(&mut self, y: u16, pixels: &[P]) -> Result<(), SendError<W::Error>> {
         let mut frame = self.frame_of(y, pixels)?;
         // The sum of the hashes is right only if every row is in it once.
         if y != frame.next {
@@ -108,7 +108,7 @@ impl<W: Write, const N: usize> Sender<W, N> {
     /// # Errors
     ///
     /// As [`row`](Self::row), without [`SendError::Order`].
-    pub fn resend_row<P: Pixel>(
+    pub fn resend_row<P: WirePixel>(
         &mut self,
         y: u16,
         pixels: &[P],
@@ -161,7 +161,7 @@ impl<W: Write, const N: usize> Sender<W, N> {
     }
 
     /// The frame, if these pixels can be its row `y`.
-    fn frame_of<P: Pixel>(&self, y: u16, pixels: &[P]) -> Result<Frame, SendError<W::Error>> {
+    fn frame_of<P: WirePixel>(&self, y: u16, pixels: &[P]) -> Result<Frame, SendError<W::Error>> {
         let frame = self.frame.ok_or(SendError::NoFrame)?;
         if P::FORMAT != frame.header.format {
             return Err(SendError::Format);
@@ -180,7 +180,7 @@ impl<W: Write, const N: usize> Sender<W, N> {
         self.transmit(len)
     }
 
-    fn send_row<P: Pixel>(
+    fn send_row<P: WirePixel>(
         &mut self,
         frame: u16,
         y: u16,
