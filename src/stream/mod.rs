@@ -91,25 +91,24 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod codec;
 mod crc;
-mod decode;
-mod encode;
-mod packet;
+mod decoder;
+mod error;
+mod framing;
 mod pixel;
 mod receiver;
-mod rle;
 mod sender;
+mod wire;
 
+pub use codec::{Encoding, RowPayload};
 pub use crc::{FrameHash, RowHash};
-pub use decode::Decoder;
-pub use encode::{
-    CONTROL_CAPACITY, EncodeError, encode_ack, encode_end, encode_header, encode_request,
-    encode_row, packet_capacity,
-};
-pub use packet::{
-    Encoding, FrameHeader, PROTOCOL_VERSION, Packet, PacketError, Part, Request, RowPayload,
-    UnpackError,
-};
+pub use decoder::Decoder;
+pub use error::{EncodeError, PacketError, UnpackError};
 pub use pixel::{PixelFormat, WirePixel};
 pub use receiver::{Event, ReceiveError, Receiver};
 pub use sender::{SendError, Sender};
+pub use wire::{
+    CONTROL_CAPACITY, FrameHeader, PROTOCOL_VERSION, Packet, Part, Request, encode_ack, encode_end,
+    encode_header, encode_request, encode_row, packet_capacity,
+};

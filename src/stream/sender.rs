@@ -5,9 +5,9 @@ use core::fmt;
 use embedded_io::Write;
 
 use super::crc::{FrameHash, RowHash};
-use super::encode::{EncodeError, encode_end, encode_header, encode_row, packet_capacity};
-use super::packet::FrameHeader;
+use super::error::EncodeError;
 use super::pixel::WirePixel;
+use super::wire::{FrameHeader, encode_end, encode_header, encode_row, packet_capacity};
 
 /// Sends frames row by row.
 ///
