@@ -99,6 +99,7 @@ mod framing;
 mod pixel;
 mod receiver;
 mod sender;
+mod serve;
 mod wire;
 
 pub use codec::{Encoding, RowPayload};
@@ -108,6 +109,7 @@ pub use error::{EncodeError, PacketError, UnpackError};
 pub use pixel::{PixelFormat, WirePixel};
 pub use receiver::{Event, ReceiveError, Receiver};
 pub use sender::{SendError, Sender};
+pub use serve::{Delivery, Patience, serve};
 pub use wire::{
     CONTROL_CAPACITY, FrameHeader, PROTOCOL_VERSION, Packet, Part, Request, encode_ack, encode_end,
     encode_header, encode_request, encode_row, packet_capacity,

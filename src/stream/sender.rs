@@ -8,6 +8,7 @@ use super::crc::{FrameHash, RowHash};
 use super::error::EncodeError;
 use super::pixel::WirePixel;
 use super::wire::{FrameHeader, encode_end, encode_header, encode_row, packet_capacity};
+use crate::render::RowError;
 
 /// Sends frames row by row.
 ///
@@ -228,10 +229,16 @@ pub enum SendError<E> {
     RowsLeft,
     /// The frame has not been ended.
     NotEnded,
+    /// The row can't be rendered.
+    Render(RowError),
+    /// The line failed while answers were listened for.
+    Listen(E),
+    /// No more answers can come: the line's other end is closed.
+    Closed,
 }
 
 impl<E> SendError<E> {
-    /// The error in words. Of a writer's own error only that there is one:
+    /// The error in words. Of a line's own error only that there is one:
     /// [`source`](core::error::Error::source) has the rest.
     #[must_use]
     pub const fn as_str(&self) -> &'static str {
@@ -245,6 +252,9 @@ impl<E> SendError<E> {
             Self::Order => "row is not the next one",
             Self::RowsLeft => "not all rows have been sent",
             Self::NotEnded => "frame has not been ended",
+            Self::Render(error) => error.as_str(),
+            Self::Listen(_) => "reader failed",
+            Self::Closed => "line is closed at its other end",
         }
     }
 }
@@ -258,7 +268,7 @@ impl<E> fmt::Display for SendError<E> {
 impl<E: core::error::Error + 'static> core::error::Error for SendError<E> {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
-            Self::Io(error) => Some(error),
+            Self::Io(error) | Self::Listen(error) => Some(error),
             _ => None,
         }
     }
