@@ -99,8 +99,11 @@ impl Reader {
             return None;
         }
         match self.cobs.feed(byte) {
-            Ok(DecodeResult::NoData) => {}
-            Ok(DecodeResult::DataStart) => self.len = 0,
+            Ok(DecodeResult::NoData) => None,
+            Ok(DecodeResult::DataStart) => {
+                self.len = 0;
+                None
+            }
             Ok(DecodeResult::DataContinue(data)) => {
                 let Some(slot) = buffer.get_mut(self.len) else {
                     self.skipping = true;
@@ -108,11 +111,11 @@ impl Reader {
                 };
                 *slot = data;
                 self.len += 1;
+                None
             }
-            Ok(DecodeResult::DataComplete) => return Some(Ok(self.len)),
+            Ok(DecodeResult::DataComplete) => Some(Ok(self.len)),
             // Only ever at a zero byte: it ends the bad packet, and the next byte begins a new one.
-            Err(_) => return Some(Err(PacketError::Framing)),
+            Err(_) => Some(Err(PacketError::Framing)),
         }
-        None
     }
 }

@@ -22,7 +22,7 @@
 //! | 0x82 | ack     | frame `u16`                                                                        |
 //!
 //! Kinds from 0x80 on go back from the receiver to the sender. Pixel formats have the codes of
-//! [`PixelFormat::code`](PixelFormat::code). Encoding 0 is the pixels as they are, encoding 1
+//! [`PixelFormat::code`]. Encoding 0 is the pixels as they are, encoding 1
 //! PackBits (Apple Technical Note TN1023; TIFF 6.0, section 9) in units of pixels, not bytes; the sender
 //! takes the shorter one. The hash of the frame is the sum modulo 2^32 of its rows' hashes, and a row's hash
 //! is the CRC-32 of y (`u16`) and the row's pixels as they are ([`RowHash`], [`FrameHash`]).
@@ -54,6 +54,7 @@
 //! 4. When all rows are there and the hash is right, the receiver acknowledges. A sender that hears nothing
 //!    for a while says [`end_again`](Sender::end_again): the receiver asks or acknowledges once more.
 //!
+//! [`serve`] is the sender's whole part of it: firmware calls it once for each frame.
 //! Without a back channel, steps 2 to 4 fall away, and the receiver knows which rows it lacks.
 //!
 //! # Example
