@@ -9,13 +9,13 @@ mod scene;
 use divan::{Bencher, black_box, counter::ItemsCount};
 use scancsg::constant;
 use scancsg::geom::{Line, OrthographicRays, PerspectiveRays, Ray, Vec3};
-use scancsg::render::{Camera, Gray8, Lambert, Picture, PixelFormat, Size};
+use scancsg::render::{Camera, Gray8, Lambert, Picture, Size};
 use scancsg::scalar::I16F16;
 use scancsg::scan::Empty;
 use scancsg::solid::{RayCast, Scan, Shape, Solid};
 use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
 use scancsg::spline::{Baked, Curve, Knots, Outside};
-use scancsg::stream::{Decoder, encode_row, packet_capacity};
+use scancsg::stream::{Decoder, PixelFormat, encode_row, packet_capacity};
 
 use scene::{Scene, Tee};
 

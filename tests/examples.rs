@@ -6,11 +6,10 @@
 #[path = "../examples/scene/mod.rs"]
 mod scene;
 
-use scancsg::render::{
-    Gray8, Lambert, Picture, PixelFormat, Size, SmoothColumn, SmoothPicture, Smoothing,
-};
+use scancsg::render::{Gray8, Lambert, Picture, Size, SmoothColumn, SmoothPicture, Smoothing};
 use scancsg::stream::{
-    CONTROL_CAPACITY, Decoder, FrameHeader, Receiver, Sender, encode_ack, packet_capacity,
+    CONTROL_CAPACITY, Decoder, FrameHeader, PixelFormat, Receiver, Sender, encode_ack,
+    packet_capacity,
 };
 use serialport::SerialPort;
 use std::io::{Read, Write};

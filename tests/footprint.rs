@@ -9,10 +9,10 @@ use scene::{Scene, Tee};
 
 use core::mem::size_of_val;
 use scancsg::geom::Rays;
-use scancsg::render::{Camera, Gray8, Lambert, Picture, PixelFormat, Size};
+use scancsg::render::{Camera, Gray8, Lambert, Picture, Size};
 use scancsg::scalar::I16F16;
 use scancsg::solid::Scan;
-use scancsg::stream::packet_capacity;
+use scancsg::stream::{PixelFormat, packet_capacity};
 
 fn size<S: Scene, C>(camera: &C) -> usize
 where

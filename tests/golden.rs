@@ -15,11 +15,11 @@ use scene::plate::PlateScene;
 
 use scancsg::geom::Rays;
 use scancsg::render::{
-    Camera, Gray8, Lambert, Picture, Pixel, Shader, Size, SmoothColumn, SmoothPicture, Smoothing,
-    XRay,
+    Camera, Gray8, Lambert, Picture, Shader, Size, SmoothColumn, SmoothPicture, Smoothing, XRay,
 };
 use scancsg::scalar::{I16F16, Number, Real, Scalar};
 use scancsg::solid::{Scan, Solid};
+use scancsg::stream::WirePixel;
 use std::fmt::Write as _;
 use std::path::Path;
 

@@ -1,6 +1,15 @@
 //! Pixel formats: the integer formulas against rounding in `f64`, for every colour and level.
 
-use scancsg::render::{Blend, Gray8, Pixel, PixelFormat, Rgb, Rgb565};
+#![allow(clippy::unwrap_used)]
+
+use scancsg::geom::vec3;
+use scancsg::render::pixel::{self, scale};
+use scancsg::render::{
+    Blend, Gray8, Lambert, Perspective, Picture, Pixel, Rgb, Rgb565, RowError, RowSource, Size,
+    SmoothColumn, SmoothPicture, Smoothing,
+};
+use scancsg::solid::{Painted, Sphere};
+use scancsg::stream::{PixelFormat, WirePixel};
 
 /// `channel · level / 255` on the scale 0..=255: never halfway between two whole numbers,
 /// because 2·channel·level is even and 255 odd.
@@ -86,4 +95,101 @@ fn formats_have_codes_and_sizes() {
         assert_eq!(PixelFormat::from_code(code), Some(format));
     }
     assert!((2..=255).all(|code| PixelFormat::from_code(code).is_none()));
+}
+
+/// A pixel that the library doesn't know, and that no link has a format for: 24 bits.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+struct Rgb888([u8; 3]);
+
+impl Pixel for Rgb888 {
+    fn shaded(color: Rgb, level: u8) -> Self {
+        Self([color.r, color.g, color.b].map(|channel| scale(channel, level)))
+    }
+}
+
+impl Blend for Rgb888 {
+    type Sum = [u16; 3];
+    const EMPTY: [u16; 3] = [0; 3];
+
+    fn add_to(self, sum: &mut [u16; 3]) {
+        sum.iter_mut().zip(self.0).for_each(|(sum, channel)| *sum += u16::from(channel));
+    }
+
+    fn mean(sum: [u16; 3], count: u16) -> Self {
+        Self(sum.map(|sum| pixel::mean(sum, count) as u8))
+    }
+}
+
+const WIDTH: u16 = 48;
+
+/// All rows of a source, from the bottom up, and each one again.
+fn rows<P: Pixel + PartialEq + std::fmt::Debug>(
+    source: &mut dyn RowSource<Pixel = P>,
+    empty: P,
+) -> Vec<[P; WIDTH as usize]> {
+    assert_eq!(source.size(), Size::new(WIDTH, 36).unwrap());
+    let mut render = |y| {
+        let mut row = [empty; WIDTH as usize];
+        source.render(y, &mut row).unwrap();
+        row
+    };
+    let mut rows: Vec<_> = (0..36).rev().map(&mut render).collect();
+    rows.reverse();
+    assert!((0..36).zip(&rows).all(|(y, row)| render(y) == *row));
+    let mut row = [empty; WIDTH as usize];
+    assert_eq!(source.render(36, &mut row), Err(RowError::Index));
+    assert_eq!(source.render(0, &mut row[1..]), Err(RowError::Length));
+    rows
+}
+
+/// The same scene by every kind of picture, in pixels of three kinds: a smooth picture of one sample is
+/// the ordinary one, and a pixel of grey or 16 bits is what its formula makes of the one of 24 bits.
+#[test]
+fn every_source_gives_the_same_rows_in_every_pixel() {
+    let colour = Rgb::new(250, 120, 30);
+    let part = Painted::new(Sphere::<f32>::new(vec3(0.0, 0.0, 0.0), 1.0).unwrap(), colour);
+    let (eye, target, up) = (vec3(3.0, 2.0, 4.0), vec3(0.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0));
+    let camera = Perspective::look_at(eye, target, up, 0.5).unwrap();
+    let light = Lambert::new(vec3(0.2, 1.0, 0.5), 0.1).unwrap();
+    let size = Size::new(WIDTH, 36).unwrap();
+
+    fn both<P: Blend + PartialEq + std::fmt::Debug>(
+        picture: &mut dyn RowSource<Pixel = P>,
+        smooth: &mut dyn RowSource<Pixel = P>,
+        empty: P,
+    ) -> Vec<[P; WIDTH as usize]> {
+        let plain = rows(picture, empty);
+        assert_eq!(plain, rows(smooth, empty));
+        plain
+    }
+    macro_rules! both {
+        ($empty:expr) => {{
+            let mut columns = [SmoothColumn::EMPTY; WIDTH as usize + 1];
+            let smoothing = Smoothing::new(size, 1, &mut columns).unwrap();
+            both(
+                &mut Picture::new(&part, &camera, size, light, $empty),
+                &mut SmoothPicture::new(&part, &camera, smoothing, light, $empty),
+                $empty,
+            )
+        }};
+    }
+    let black = Rgb888([0; 3]);
+    let (colours, greys, bits) = (both!(black), both!(Gray8(0)), both!(Rgb565(0)));
+
+    let mut lit = 0;
+    for ((colour888, grey), colour565) in colours.iter().zip(&greys).zip(&bits) {
+        for ((colour888, grey), colour565) in colour888.iter().zip(grey).zip(colour565) {
+            if *colour888 == black {
+                continue;
+            }
+            lit += 1;
+            let expected = |level| (Gray8::shaded(colour, level), Rgb565::shaded(colour, level));
+            let is_one = |level: &u8| {
+                Rgb888::shaded(colour, *level) == *colour888
+                    && expected(*level) == (*grey, *colour565)
+            };
+            assert!((0..=255).any(|level| is_one(&level)), "{colour888:?} {grey:?} {colour565:?}");
+        }
+    }
+    assert!(lit > 400, "{lit}");
 }

@@ -3,11 +3,11 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use proptest::prelude::*;
-use scancsg::render::{Gray8, Pixel, PixelFormat, Rgb565};
+use scancsg::render::{Gray8, Rgb565};
 use scancsg::stream::{
     CONTROL_CAPACITY, Decoder, EncodeError, Encoding, FrameHash, FrameHeader, Packet, PacketError,
-    Part, Request, RowHash, RowPayload, UnpackError, encode_ack, encode_end, encode_header,
-    encode_request, encode_row, packet_capacity,
+    Part, PixelFormat, Request, RowHash, RowPayload, UnpackError, WirePixel, encode_ack,
+    encode_end, encode_header, encode_request, encode_row, packet_capacity,
 };
 
 // All literal bytes were made with Python's zlib.crc32 and a COBS encoder written out by hand.
@@ -256,7 +256,7 @@ fn buffers_are_used_to_the_last_byte() {
 /// COBS block is full.
 #[test]
 fn capacity_is_the_worst_case() {
-    fn check<P: Pixel>(width: u16, pixel: impl Fn(u16) -> P) {
+    fn check<P: WirePixel>(width: u16, pixel: impl Fn(u16) -> P) {
         let row: Vec<P> = (0..width).map(pixel).collect();
         let capacity = packet_capacity(width, P::FORMAT);
         let raw = usize::from(width) * P::FORMAT.bytes_per_pixel();
@@ -382,7 +382,7 @@ fn rows() -> impl Strategy<Value = Vec<u8>> {
     prop_oneof![noise, runs]
 }
 
-fn check_row<P: Pixel>(pixels: &[P]) -> Result<(), TestCaseError> {
+fn check_row<P: WirePixel>(pixels: &[P]) -> Result<(), TestCaseError> {
     let bytes: Vec<u8> = pixels.iter().flat_map(|p| p.to_le_bytes().as_ref().to_vec()).collect();
     let packet = encoded(|b| encode_row(3, 9, pixels, b));
     prop_assert!(packet.len() <= packet_capacity(pixels.len() as u16, P::FORMAT));

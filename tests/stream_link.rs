@@ -6,11 +6,11 @@ use std::error::Error;
 
 use embedded_io::{ErrorKind, ErrorType, Write};
 use proptest::prelude::*;
-use scancsg::render::{Gray8, Pixel, PixelFormat, Rgb565};
+use scancsg::render::{Gray8, Rgb565};
 use scancsg::stream::{
     CONTROL_CAPACITY, Decoder, EncodeError, Encoding, Event, FrameHash, FrameHeader, Packet, Part,
-    ReceiveError, Receiver, Request, RowHash, RowPayload, SendError, Sender, UnpackError,
-    encode_ack, encode_request, packet_capacity,
+    PixelFormat, ReceiveError, Receiver, Request, RowHash, RowPayload, SendError, Sender,
+    UnpackError, WirePixel, encode_ack, encode_request, packet_capacity,
 };
 
 /// A writer that keeps all it is given, up to `room` bytes.
@@ -107,11 +107,11 @@ fn started(frame: u16, lost: Option<u16>) -> Event {
     Event::Started { header: header(frame), lost }
 }
 
-fn row_bytes<P: Pixel>(row: &[P]) -> Vec<u8> {
+fn row_bytes<P: WirePixel>(row: &[P]) -> Vec<u8> {
     row.iter().flat_map(|p| p.to_le_bytes().as_ref().to_vec()).collect()
 }
 
-fn check_frame<P: Pixel>(frame: u16, width: u16, pixels: &[P]) -> Result<(), TestCaseError> {
+fn check_frame<P: WirePixel>(frame: u16, width: u16, pixels: &[P]) -> Result<(), TestCaseError> {
     let header = FrameHeader {
         frame,
         width,
@@ -521,7 +521,7 @@ impl Lcg {
 }
 
 /// Row `y` of a frame of 40 pixels: runs and noise.
-fn scene<P: Pixel>(y: u16, pixel: fn(u16) -> P) -> Vec<P> {
+fn scene<P: WirePixel>(y: u16, pixel: fn(u16) -> P) -> Vec<P> {
     (0..40)
         .map(|x| {
             let inside = x > y && x < 35;
@@ -532,7 +532,7 @@ fn scene<P: Pixel>(y: u16, pixel: fn(u16) -> P) -> Vec<P> {
 
 /// Sends one frame over a lossy line in both directions until the sender hears the acknowledgement.
 /// Returns how many rounds it took.
-fn repair<P: Pixel>(seed: u64, one_in: u64, pixel: fn(u16) -> P) -> usize {
+fn repair<P: WirePixel>(seed: u64, one_in: u64, pixel: fn(u16) -> P) -> usize {
     let header = FrameHeader { frame: seed as u16, width: 40, height: 30, format: P::FORMAT };
     let expected: Vec<u8> = (0..30).flat_map(|y| row_bytes(&scene(y, pixel))).collect();
     let mut noise = Lcg(seed);

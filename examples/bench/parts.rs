@@ -6,12 +6,12 @@ use crate::points::{self, Editable, InFlash, Splines};
 use crate::scene::Scene;
 use core::hint::black_box;
 use scancsg::geom::{Ray, Vec3};
-use scancsg::render::{Gray8, PixelFormat};
+use scancsg::render::Gray8;
 use scancsg::scalar::I16F16;
 use scancsg::solid::{RayCast, Solid};
 use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
 use scancsg::spline::{Knots, NonZero, Outside, Sweep};
-use scancsg::stream::{Decoder, encode_row, packet_capacity};
+use scancsg::stream::{Decoder, PixelFormat, encode_row, packet_capacity};
 
 #[cfg(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16"))))]
 pub type Number = f32;

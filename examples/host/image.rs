@@ -1,7 +1,7 @@
 //! Frames as PNG files.
 
 use super::receive::Frame;
-use scancsg::render::PixelFormat;
+use scancsg::stream::PixelFormat;
 use std::fs::File;
 use std::io::BufWriter;
 use std::path::Path;

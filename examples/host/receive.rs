@@ -1,10 +1,9 @@
 //! Receiving frames: the host's end of the link.
 
 use super::port::{Heard, Port, READ_TIMEOUT, listen};
-use scancsg::render::PixelFormat;
 use scancsg::stream::{
-    CONTROL_CAPACITY, Decoder, Event, FrameHeader, Packet, Part, Receiver, Request, encode_ack,
-    encode_request, packet_capacity,
+    CONTROL_CAPACITY, Decoder, Event, FrameHeader, Packet, Part, PixelFormat, Receiver, Request,
+    encode_ack, encode_request, packet_capacity,
 };
 use std::io::Write;
 use std::time::Duration;

@@ -7,14 +7,13 @@
 //! picture's alone.
 
 use crate::board::{self, Usage, log};
-use crate::device::{Delivery, DeviceError, Line, send_frame};
 use crate::scene::{Scene, Tee};
-use embedded_io::{Error, ErrorKind, ErrorType, Read, ReadReady, Write};
+use embedded_io::{Error, ErrorKind, Read, ReadReady, Write};
 use number::Number;
 use scancsg::render::{
-    CameraError, Gray8, Lambert, Picture, PixelFormat, ShadeError, Size, SizeError,
+    CameraError, Gray8, Lambert, Picture, RowError, ShadeError, Size, SizeError,
 };
-use scancsg::stream::{SendError, Sender, packet_capacity};
+use scancsg::stream::{Delivery, Patience, PixelFormat, SendError, Sender, packet_capacity, serve};
 
 const WIDTH: u16 = 160;
 const HEIGHT: u16 = 120;
@@ -36,42 +35,8 @@ mod number {
 
 static TEE: Tee<Number> = Number::TEE;
 
-/// A serial port whose errors are of the known kinds, whoever made it.
-struct Port<U>(U);
-
-impl<U> ErrorType for Port<U> {
-    type Error = ErrorKind;
-}
-
-impl<U: Write> Write for Port<U> {
-    fn write(&mut self, bytes: &[u8]) -> Result<usize, ErrorKind> {
-        self.0.write(bytes).map_err(|error| error.kind())
-    }
-
-    fn flush(&mut self) -> Result<(), ErrorKind> {
-        self.0.flush().map_err(|error| error.kind())
-    }
-}
-
-impl<U: Read + ReadReady + Write> Line for Port<U> {
-    fn listen(&mut self) -> Result<Option<u8>, ErrorKind> {
-        // Some ten to thirty instructions a look: about a second on these boards.
-        for _ in 0..500_000 {
-            if self.0.read_ready().map_err(|error| error.kind())? {
-                let mut byte = [0];
-                self.0.read(&mut byte).map_err(|error| error.kind())?;
-                return Ok(byte.first().copied());
-            }
-        }
-        Ok(None)
-    }
-}
-
-impl<L: Line> Line for &mut L {
-    fn listen(&mut self) -> Result<Option<u8>, L::Error> {
-        (**self).listen()
-    }
-}
+/// Some ten to thirty instructions a look: about three seconds on these boards.
+const PATIENCE: Patience = Patience { looks: 500_000, silences: 3 };
 
 /// Why the picture was not delivered.
 #[derive(Clone, Copy)]
@@ -81,21 +46,31 @@ enum Failure {
     Camera(CameraError),
     Light(ShadeError),
     Size(SizeError),
-    Device(DeviceError<ErrorKind>),
+    Row(RowError),
+    Line(ErrorKind),
+    Sender(&'static str),
     Unheard,
 }
 
 impl Failure {
+    fn from<E: Error>(error: &SendError<E>) -> Self {
+        match error {
+            SendError::Render(error) => Self::Row(*error),
+            SendError::Io(error) | SendError::Listen(error) => Self::Line(error.kind()),
+            _ => Self::Sender(error.as_str()),
+        }
+    }
+
     const fn as_str(self) -> &'static str {
         match self {
-            Self::Device(DeviceError::Send(SendError::Io(ErrorKind::TimedOut))) => "nobody reads\n",
+            Self::Line(ErrorKind::TimedOut) => "nobody reads\n",
             Self::Unheard => "nobody answers\n",
             _ => "the picture can't be sent\n",
         }
     }
 }
 
-fn send(line: impl Line<Error = ErrorKind>) -> Result<(), Failure> {
+fn send(line: &mut (impl Read + ReadReady + Write)) -> Result<(), Failure> {
     log!(info, "{=u16}x{=u16} pixels in {=str}", WIDTH, HEIGHT, number::NAME);
     let camera = Number::orthographic().map_err(Failure::Camera)?;
     let light = Lambert::new(Number::TO_LIGHT, Number::hundredths(15)).map_err(Failure::Light)?;
@@ -106,7 +81,7 @@ fn send(line: impl Line<Error = ErrorKind>) -> Result<(), Failure> {
     let mut outcome = Err(Failure::Unheard);
     for frame in 0..FRAMES {
         let before = sender.bytes_sent();
-        let delivery = send_frame(&mut picture, frame, &mut sender, &mut pixels);
+        let delivery = serve(&mut picture, frame, &mut sender, &mut pixels, PATIENCE);
         let bytes = sender.bytes_sent().wrapping_sub(before);
         let failure = match delivery {
             Ok(Delivery::Acknowledged { repairs }) => {
@@ -121,7 +96,7 @@ fn send(line: impl Line<Error = ErrorKind>) -> Result<(), Failure> {
                 return Ok(());
             }
             Ok(Delivery::Unheard) => Failure::Unheard,
-            Err(error) => Failure::Device(error),
+            Err(error) => Failure::from(&error),
         };
         // The frame is dropped, and the next one begins anew.
         log!(warn, "frame {=u16}: {} after {=u64} bytes", frame, failure, bytes);
@@ -133,7 +108,7 @@ fn send(line: impl Line<Error = ErrorKind>) -> Result<(), Failure> {
 #[board::entry]
 fn main() -> ! {
     board::paint();
-    let mut port = Port(board::uart());
+    let mut port = board::uart();
     loop {
         let outcome = send(&mut port);
         let Usage { stack, room } = Usage::measure();

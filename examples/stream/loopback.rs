@@ -1,9 +1,8 @@
 //! The host: chooses what is rendered, gives it a line, and looks at what comes out.
 
 use crate::args::{self, Args, Camera, Format, Number, Path, Shade};
-use crate::device::{self, Delivery, DeviceError, Line, Rows};
 use crate::host::image::write_png;
-use crate::host::port::{self, Faults, Port, Wire};
+use crate::host::port::{self, Faults, Heard, Port, Wire};
 use crate::host::receive::{CAPACITY, Ending, Frame, Session};
 use crate::host::terminal::Display;
 use crate::scene::LAP;
@@ -11,14 +10,14 @@ use crate::scene::pipe::PipeScene;
 use clap::Parser;
 use scancsg::geom::{OrthographicRays, PerspectiveRays, Pose, Rays};
 use scancsg::render::{
-    Blend, Depth, Gray8, Lambert, Picture, Rgb565, RowError, Shader, Size, SmoothColumn,
-    SmoothPicture, Smoothing, XRay,
+    Blend, Depth, Gray8, Lambert, Picture, Rgb565, Shader, Size, SmoothColumn, SmoothPicture,
+    Smoothing, XRay,
 };
 use scancsg::scalar::I16F16;
 use scancsg::solid::{Placed, Scan, Solid};
-use scancsg::stream::{SendError, Sender};
+use scancsg::stream::{Delivery, Patience, SendError, Sender, WirePixel, serve};
 use std::f64::consts::TAU;
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 use std::process::ExitCode;
 use std::thread;
 use std::time::{Duration, Instant};
@@ -53,7 +52,14 @@ pub fn run() -> ExitCode {
 }
 
 /// The device's end of the line, on a host.
-struct HostLine(Wire);
+struct HostLine {
+    wire: Wire,
+    /// A byte that a look at the line has brought.
+    ahead: Option<u8>,
+}
+
+/// A look takes a tenth of a second: see [`port::READ_TIMEOUT`].
+const LINE_PATIENCE: Patience = Patience { looks: 10, silences: 3 };
 
 impl embedded_io::ErrorType for HostLine {
     type Error = io::Error;
@@ -61,43 +67,44 @@ impl embedded_io::ErrorType for HostLine {
 
 impl embedded_io::Write for HostLine {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.0.write(bytes)
+        self.wire.write(bytes)
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.0.flush()
+        self.wire.flush()
     }
 }
 
-impl Line for HostLine {
-    fn listen(&mut self) -> io::Result<Option<u8>> {
+impl embedded_io::ReadReady for HostLine {
+    fn read_ready(&mut self) -> io::Result<bool> {
         let mut byte = [0];
-        let deadline = Instant::now() + Duration::from_secs(1);
-        while Instant::now() < deadline {
-            match self.0.read(&mut byte) {
-                Ok(0) => return Err(io::ErrorKind::BrokenPipe.into()),
-                Ok(_) => return Ok(byte.first().copied()),
-                Err(error) => match error.kind() {
-                    io::ErrorKind::TimedOut
-                    | io::ErrorKind::WouldBlock
-                    | io::ErrorKind::Interrupted => {}
-                    _ => return Err(error),
-                },
+        if self.ahead.is_none() {
+            match port::listen(&mut self.wire, &mut byte) {
+                Heard::Bytes(_) => self.ahead = byte.first().copied(),
+                Heard::Silence => {}
+                Heard::Closed => return Err(io::ErrorKind::BrokenPipe.into()),
             }
         }
-        Ok(None)
+        Ok(self.ahead.is_some())
+    }
+}
+
+impl embedded_io::Read for HostLine {
+    fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+        let Some(byte) = bytes.first_mut() else { return Ok(0) };
+        while !embedded_io::ReadReady::read_ready(self)? {}
+        *byte = self.ahead.take().unwrap_or_default();
+        Ok(1)
     }
 }
 
 fn line(port: Box<dyn Port>, args: &Args) -> HostLine {
-    HostLine(Wire::new(
-        port,
-        Faults {
-            baud: args.baud.filter(|_| args.port.is_none()),
-            noise: args.noise,
-            cut_after: args.cut_after,
-        },
-    ))
+    let faults = Faults {
+        baud: args.baud.filter(|_| args.port.is_none()),
+        noise: args.noise,
+        cut_after: args.cut_after,
+    };
+    HostLine { wire: Wire::new(port, faults), ahead: None }
 }
 
 /// What the sending side has to say when it is done.
@@ -272,7 +279,7 @@ fn send_shaded<S, T, P>(
 where
     S: Choice,
     T: Part<S>,
-    P: Blend,
+    P: Blend + WirePixel,
 {
     let n = S::hundredths;
     let text = |error: scancsg::render::ShadeError| error.to_string();
@@ -305,7 +312,7 @@ where
     S: Choice,
     T: Part<S>,
     H: Shader<S> + Copy,
-    P: Blend,
+    P: Blend + WirePixel,
 {
     // Where the camera is in a frame, unless it stays where it is.
     let eye = |frame: u16| match args.path {
@@ -345,7 +352,7 @@ where
     C: scancsg::render::Camera<Rays: Rays<Scalar = S>>,
     T: Solid<Scalar = S> + Scan<C::Rays>,
     H: Shader<S> + Copy,
-    P: Blend,
+    P: Blend + WirePixel,
 {
     let size: Size = args.size;
     let mut sender = Box::new(Sender::<_, CAPACITY>::new(line));
@@ -363,14 +370,14 @@ where
         let delivery = match args.smooth {
             None => {
                 let mut picture = Picture::new(&turned, &camera, size, shader, background);
-                device::send_frame(&mut picture, frame, &mut sender, &mut pixels)
+                serve(&mut picture, frame, &mut sender, &mut pixels, LINE_PATIENCE)
             }
             Some(samples) => {
                 let smoothing = Smoothing::new(size, samples, &mut columns)
                     .map_err(|error| error.to_string())?;
                 let mut picture =
                     SmoothPicture::new(&turned, &camera, smoothing, shader, background);
-                device::send_frame(&mut picture, frame, &mut sender, &mut pixels)
+                serve(&mut picture, frame, &mut sender, &mut pixels, LINE_PATIENCE)
             }
         };
         let delivery = delivery.map_err(|error| describe_error(&error))?;
@@ -380,26 +387,9 @@ where
     Ok(Sent { bytes: sender.bytes_sent(), unheard })
 }
 
-impl<T, R, H, P> Rows<P> for SmoothPicture<'_, '_, T, R, H, P>
-where
-    R: Rays,
-    T: Solid<Scalar = R::Scalar> + Scan<R>,
-    H: Shader<R::Scalar>,
-    P: Blend,
-{
-    fn size(&self) -> Size {
-        self.size()
-    }
-
-    fn render(&mut self, y: u16, pixels: &mut [P]) -> Result<(), RowError> {
-        self.render(y, pixels)
-    }
-}
-
-fn describe_error(error: &DeviceError<io::Error>) -> String {
+fn describe_error(error: &SendError<io::Error>) -> String {
     match error {
-        DeviceError::Row(error) => error.to_string(),
-        DeviceError::Send(SendError::Io(error)) => format!("sending failed: {error}"),
-        DeviceError::Send(error) => error.to_string(),
+        SendError::Io(error) | SendError::Listen(error) => format!("sending failed: {error}"),
+        error => error.to_string(),
     }
 }

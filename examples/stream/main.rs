@@ -1,7 +1,7 @@
 //! The crate's main job from end to end: a part is rendered one scanline at a time, each scanline
 //! goes through a serial line as a packet, and the other end puts the picture together.
 //!
-//! `device.rs` renders, sends and repairs, on a microcontroller as on a host. For bare metal,
+//! The library's `serve` renders, sends and repairs, on a microcontroller as on a host. For bare metal,
 //! `firmware.rs` is around it; on a host, `loopback.rs` gives it a pseudo-terminal to send into and
 //! plays the other end as well.
 
@@ -12,7 +12,6 @@ mod args;
 #[cfg(target_os = "none")]
 #[path = "../board/mod.rs"]
 mod board;
-mod device;
 #[cfg(target_os = "none")]
 mod firmware;
 #[cfg(not(target_os = "none"))]

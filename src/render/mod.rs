@@ -1,16 +1,18 @@
-//! Cameras, pictures and their scanlines, shading and pixel formats.
+//! Cameras, pictures and their scanlines, shading and pixels.
 
 mod camera;
 mod picture;
-mod pixel;
+pub mod pixel;
 mod shade;
 mod size;
 mod smooth;
+mod source;
 
 pub use crate::solid::Rgb;
 pub use camera::{Camera, CameraError, Orthographic, Perspective};
 pub use picture::{Picture, RowError, Run, Sample, Scanline};
-pub use pixel::{Blend, Gray8, Pixel, PixelFormat, Rgb565};
+pub use pixel::{Blend, Gray8, Pixel, Rgb565};
 pub use shade::{Depth, Lambert, ShadeError, Shader, XRay};
 pub use size::{Size, SizeError};
 pub use smooth::{SmoothColumn, SmoothError, SmoothPicture, Smoothing};
+pub use source::RowSource;

@@ -53,7 +53,7 @@ pub struct Picture<'a, T: Scan<R>, R: Rays, H, P> {
 }
 
 /// Why a row can't be rendered.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum RowError {

@@ -2,7 +2,7 @@
 
 use crc::{CRC_32_ISO_HDLC, Crc, Digest, Table};
 
-use crate::render::Pixel;
+use super::pixel::WirePixel;
 
 // One table of 256 words: 1 KiB of flash, 0.4 % of a 256 KiB part, and no RAM. Without it every byte
 // takes eight shift-and-xor steps, and each pixel byte goes through two checksums; with the 16-lane
@@ -47,7 +47,7 @@ impl RowHash {
     }
 
     /// Takes in the row's next pixel.
-    pub fn push<P: Pixel>(&mut self, pixel: P) {
+    pub fn push<P: WirePixel>(&mut self, pixel: P) {
         self.update(pixel.to_le_bytes().as_ref());
     }
 
@@ -64,7 +64,7 @@ impl RowHash {
 
     /// The hash of the whole row `y`.
     #[must_use]
-    pub fn of<P: Pixel>(y: u16, pixels: &[P]) -> u32 {
+    pub fn of<P: WirePixel>(y: u16, pixels: &[P]) -> u32 {
         let mut hash = Self::new(y);
         for &pixel in pixels {
             hash.push(pixel);

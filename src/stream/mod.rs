@@ -22,7 +22,7 @@
 //! | 0x82 | ack     | frame `u16`                                                                        |
 //!
 //! Kinds from 0x80 on go back from the receiver to the sender. Pixel formats have the codes of
-//! [`PixelFormat::code`](crate::render::PixelFormat::code). Encoding 0 is the pixels as they are, encoding 1
+//! [`PixelFormat::code`]. Encoding 0 is the pixels as they are, encoding 1
 //! PackBits (Apple Technical Note TN1023; TIFF 6.0, section 9) in units of pixels, not bytes; the sender
 //! takes the shorter one. The hash of the frame is the sum modulo 2^32 of its rows' hashes, and a row's hash
 //! is the CRC-32 of y (`u16`) and the row's pixels as they are ([`RowHash`], [`FrameHash`]).
@@ -54,13 +54,16 @@
 //! 4. When all rows are there and the hash is right, the receiver acknowledges. A sender that hears nothing
 //!    for a while says [`end_again`](Sender::end_again): the receiver asks or acknowledges once more.
 //!
+//! [`serve`] is the sender's whole part of it: firmware calls it once for each frame.
 //! Without a back channel, steps 2 to 4 fall away, and the receiver knows which rows it lacks.
 //!
 //! # Example
 //!
 //! ```
-//! use scancsg::render::{Gray8, PixelFormat};
-//! use scancsg::stream::{Decoder, Event, FrameHeader, Receiver, Sender, packet_capacity};
+//! use scancsg::render::Gray8;
+//! use scancsg::stream::{
+//!     Decoder, Event, FrameHeader, PixelFormat, Receiver, Sender, packet_capacity,
+//! };
 //!
 //! const CAPACITY: usize = packet_capacity(4, PixelFormat::Gray8);
 //! let rows = [[1, 2, 3, 4].map(Gray8), [9, 9, 9, 9].map(Gray8)];
@@ -89,23 +92,26 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod codec;
 mod crc;
-mod decode;
-mod encode;
-mod packet;
+mod decoder;
+mod error;
+mod framing;
+mod pixel;
 mod receiver;
-mod rle;
 mod sender;
+mod serve;
+mod wire;
 
+pub use codec::{Encoding, RowPayload};
 pub use crc::{FrameHash, RowHash};
-pub use decode::Decoder;
-pub use encode::{
-    CONTROL_CAPACITY, EncodeError, encode_ack, encode_end, encode_header, encode_request,
-    encode_row, packet_capacity,
-};
-pub use packet::{
-    Encoding, FrameHeader, PROTOCOL_VERSION, Packet, PacketError, Part, Request, RowPayload,
-    UnpackError,
-};
+pub use decoder::Decoder;
+pub use error::{EncodeError, PacketError, UnpackError};
+pub use pixel::{PixelFormat, WirePixel};
 pub use receiver::{Event, ReceiveError, Receiver};
 pub use sender::{SendError, Sender};
+pub use serve::{Delivery, Patience, serve};
+pub use wire::{
+    CONTROL_CAPACITY, FrameHeader, PROTOCOL_VERSION, Packet, Part, Request, encode_ack, encode_end,
+    encode_header, encode_request, encode_row, packet_capacity,
+};

@@ -2,8 +2,10 @@
 
 use core::fmt;
 
+use super::codec::RowPayload;
 use super::crc::{FrameHash, RowHash};
-use super::packet::{FrameHeader, Packet, Part, Request, RowPayload, UnpackError};
+use super::error::UnpackError;
+use super::wire::{FrameHeader, Packet, Part, Request};
 
 /// Puts one frame at a time together.
 ///

@@ -5,9 +5,10 @@ use core::fmt;
 use embedded_io::Write;
 
 use super::crc::{FrameHash, RowHash};
-use super::encode::{EncodeError, encode_end, encode_header, encode_row, packet_capacity};
-use super::packet::FrameHeader;
-use crate::render::Pixel;
+use super::error::EncodeError;
+use super::pixel::WirePixel;
+use super::wire::{FrameHeader, encode_end, encode_header, encode_row, packet_capacity};
+use crate::render::RowError;
 
 /// Sends frames row by row.
 ///
@@ -89,7 +90,7 @@ impl<W: Write, const N: usize> Sender<W, N> {
     ///
     /// [`SendError::NoFrame`], [`SendError::Format`], [`SendError::Width`], [`SendError::Row`] or
     /// [`SendError::Order`] if this is not the frame's next row; [`SendError::Io`].
-    pub fn row<P: Pixel>(&mut self, y: u16, pixels: &[P]) -> Result<(), SendError<W::Error>> {
+    pub fn row<P: WirePixel>(&mut self, y: u16, pixels: &[P]) -> Result<(), SendError<W::Error>> {
         let mut frame = self.frame_of(y, pixels)?;
         // The sum of the hashes is right only if every row is in it once.
         if y != frame.next {
@@ -108,7 +109,7 @@ impl<W: Write, const N: usize> Sender<W, N> {
     /// # Errors
     ///
     /// As [`row`](Self::row), without [`SendError::Order`].
-    pub fn resend_row<P: Pixel>(
+    pub fn resend_row<P: WirePixel>(
         &mut self,
         y: u16,
         pixels: &[P],
@@ -161,7 +162,7 @@ impl<W: Write, const N: usize> Sender<W, N> {
     }
 
     /// The frame, if these pixels can be its row `y`.
-    fn frame_of<P: Pixel>(&self, y: u16, pixels: &[P]) -> Result<Frame, SendError<W::Error>> {
+    fn frame_of<P: WirePixel>(&self, y: u16, pixels: &[P]) -> Result<Frame, SendError<W::Error>> {
         let frame = self.frame.ok_or(SendError::NoFrame)?;
         if P::FORMAT != frame.header.format {
             return Err(SendError::Format);
@@ -180,7 +181,7 @@ impl<W: Write, const N: usize> Sender<W, N> {
         self.transmit(len)
     }
 
-    fn send_row<P: Pixel>(
+    fn send_row<P: WirePixel>(
         &mut self,
         frame: u16,
         y: u16,
@@ -228,10 +229,16 @@ pub enum SendError<E> {
     RowsLeft,
     /// The frame has not been ended.
     NotEnded,
+    /// The row can't be rendered.
+    Render(RowError),
+    /// The line failed while answers were listened for.
+    Listen(E),
+    /// No more answers can come: the line's other end is closed.
+    Closed,
 }
 
 impl<E> SendError<E> {
-    /// The error in words. Of a writer's own error only that there is one:
+    /// The error in words. Of a line's own error only that there is one:
     /// [`source`](core::error::Error::source) has the rest.
     #[must_use]
     pub const fn as_str(&self) -> &'static str {
@@ -245,6 +252,9 @@ impl<E> SendError<E> {
             Self::Order => "row is not the next one",
             Self::RowsLeft => "not all rows have been sent",
             Self::NotEnded => "frame has not been ended",
+            Self::Render(error) => error.as_str(),
+            Self::Listen(_) => "reader failed",
+            Self::Closed => "line is closed at its other end",
         }
     }
 }
@@ -258,7 +268,7 @@ impl<E> fmt::Display for SendError<E> {
 impl<E: core::error::Error + 'static> core::error::Error for SendError<E> {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
-            Self::Io(error) => Some(error),
+            Self::Io(error) | Self::Listen(error) => Some(error),
             _ => None,
         }
     }

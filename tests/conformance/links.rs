@@ -2,11 +2,11 @@
 
 use crate::number::{Tested, ball, rod, vector};
 use scancsg::geom::Vec3;
-use scancsg::render::{
-    Depth, Gray8, Lambert, Orthographic, Picture, Pixel, PixelFormat, Rgb565, Shader, Size,
-};
+use scancsg::render::{Depth, Gray8, Lambert, Orthographic, Picture, Rgb565, Shader, Size};
 use scancsg::solid::{Painted, Rgb, Solid};
-use scancsg::stream::{Decoder, Event, FrameHeader, Receiver, Sender, packet_capacity};
+use scancsg::stream::{
+    Decoder, Event, FrameHeader, PixelFormat, Receiver, Sender, WirePixel, packet_capacity,
+};
 
 for_every_number!(grey, colours);
 
@@ -16,7 +16,9 @@ const CAPACITY: usize = packet_capacity(WIDTH, PixelFormat::Rgb565);
 
 /// Renders a part row by row into a sender, and returns the pixels that a receiver got; every one
 /// of them must be what the row had. Nothing but the sender's bytes goes from one to the other.
-fn over_the_line<S: Tested, P: Pixel + std::fmt::Debug>(shader: impl Shader<S> + Copy) -> Vec<u8> {
+fn over_the_line<S: Tested, P: WirePixel + std::fmt::Debug>(
+    shader: impl Shader<S> + Copy,
+) -> Vec<u8> {
     let ball = Painted::new(ball::<S>([0.25, 0.0, 0.0], 1.0), Rgb::new(200, 100, 50));
     let part = ball - rod::<S>(0.5, -2.0, 2.0);
     let [eye, up] = [[3.0, 2.0, 4.0], [0.0, 1.0, 0.0]].map(vector);

@@ -62,7 +62,7 @@ impl<S: Tested> Shader<S> for Noise {
 }
 
 /// A format whose pixels can be taken to pieces.
-trait Format: Blend + Debug {
+trait Format: Blend + Eq + Debug {
     fn channels(self) -> Vec<f64>;
     fn of(channels: &[f64]) -> Self;
 }

@@ -1,8 +1,8 @@
 //! Bytes into packets: a push parser that any byte can be thrown at.
 
-use cobs::{DecodeResult, DecoderState};
-
-use super::packet::{Packet, PacketError};
+use super::error::PacketError;
+use super::framing::{Reader, unseal};
+use super::wire::Packet;
 
 /// Finds packets in a stream of bytes, one byte at a time, whatever the bytes are.
 ///
@@ -28,19 +28,19 @@ use super::packet::{Packet, PacketError};
 #[derive(Debug)]
 pub struct Decoder<const N: usize> {
     buffer: [u8; N],
-    framing: Framing,
+    reader: Reader,
 }
 
 impl<const N: usize> Decoder<N> {
     /// A decoder at the start of a packet.
     #[must_use]
     pub const fn new() -> Self {
-        Self { buffer: [0; N], framing: Framing::new() }
+        Self { buffer: [0; N], reader: Reader::new() }
     }
 
     /// Takes in one byte. Returns the packet that it completes, or what is wrong with it.
     pub fn push(&mut self, byte: u8) -> Option<Result<Packet<'_>, PacketError>> {
-        let end = self.framing.step(&mut self.buffer, byte)?;
+        let end = self.reader.step(&mut self.buffer, byte)?;
         Some(self.parse(end))
     }
 
@@ -50,66 +50,19 @@ impl<const N: usize> Decoder<N> {
         loop {
             let (&byte, rest) = bytes.split_first()?;
             *bytes = rest;
-            if let Some(end) = self.framing.step(&mut self.buffer, byte) {
+            if let Some(end) = self.reader.step(&mut self.buffer, byte) {
                 return Some(self.parse(end));
             }
         }
     }
 
     fn parse(&self, end: Result<usize, PacketError>) -> Result<Packet<'_>, PacketError> {
-        Packet::parse(self.buffer.get(..end?).unwrap_or_default())
+        Packet::parse(unseal(self.buffer.get(..end?).unwrap_or_default())?)
     }
 }
 
 impl<const N: usize> Default for Decoder<N> {
     fn default() -> Self {
         Self::new()
-    }
-}
-
-/// The state between two bytes, apart from the buffer, so that this code exists once and not per size.
-#[derive(Debug)]
-struct Framing {
-    cobs: DecoderState,
-    /// Decoded bytes in the buffer.
-    len: usize,
-    /// The packet was too long and has been reported; all is dropped up to the terminator.
-    skipping: bool,
-}
-
-impl Framing {
-    const fn new() -> Self {
-        Self { cobs: DecoderState::Idle, len: 0, skipping: false }
-    }
-
-    /// Takes in one byte. At the end of a packet: its size in the buffer, or why it has none.
-    fn step(&mut self, buffer: &mut [u8], byte: u8) -> Option<Result<usize, PacketError>> {
-        // The cobs crate has whole decoders too, but when their buffer is full they give an error for
-        // every further byte and then, at the terminator, pass the truncated packet off as a good one.
-        if self.skipping {
-            if byte == 0 {
-                *self = Self::new();
-            }
-            return None;
-        }
-        match self.cobs.feed(byte) {
-            Ok(DecodeResult::NoData) => None,
-            Ok(DecodeResult::DataStart) => {
-                self.len = 0;
-                None
-            }
-            Ok(DecodeResult::DataContinue(data)) => {
-                let Some(slot) = buffer.get_mut(self.len) else {
-                    self.skipping = true;
-                    return Some(Err(PacketError::TooLong));
-                };
-                *slot = data;
-                self.len += 1;
-                None
-            }
-            Ok(DecodeResult::DataComplete) => Some(Ok(self.len)),
-            // Only ever at a zero byte: it ends the bad packet, and the next byte begins a new one.
-            Err(_) => Some(Err(PacketError::Framing)),
-        }
     }
 }

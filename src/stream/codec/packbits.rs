@@ -8,8 +8,9 @@
 //! - -127..=-1: one pixel follows, to be repeated 1 - n times;
 //! - -128: nothing follows (never written here, skipped when read).
 
-use super::packet::UnpackError;
-use crate::render::{Pixel, PixelFormat};
+use super::raw;
+use crate::stream::error::UnpackError;
+use crate::stream::pixel::{PixelFormat, WirePixel};
 
 /// The most pixels that one control byte can stand for.
 const MAX_CHUNK: usize = 128;
@@ -17,120 +18,71 @@ const MAX_CHUNK: usize = 128;
 /// The control byte that stands for nothing: -128.
 const NO_OP: u8 = 0x80;
 
-/// One control byte's worth of pixels.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Chunk<'a, P> {
-    /// 1..=128 pixels as they are.
-    Literal(&'a [P]),
-    /// One pixel, 2..=128 times.
-    Repeat(P, u8),
-}
-
-impl<P> Chunk<'_, P> {
-    /// The control byte before the chunk's pixels.
-    pub(super) const fn control(&self) -> u8 {
-        match *self {
-            Self::Literal(pixels) => (pixels.len() as u8).wrapping_sub(1),
-            Self::Repeat(_, count) => 1_u8.wrapping_sub(count),
-        }
-    }
-
-    /// The pixels after the control byte.
-    pub(super) const fn pixels(&self) -> &[P] {
-        match self {
-            Self::Literal(pixels) => pixels,
-            Self::Repeat(pixel, _) => core::slice::from_ref(pixel),
-        }
-    }
-}
-
-/// A row cut into chunks. Walking it costs no memory, so an encoder walks it twice: once for the
-/// length, once for the bytes.
-pub(super) struct Chunks<'a, P> {
+/// A row cut into chunks: control bytes, each with the pixels after it. Walking it costs no memory, so an
+/// encoder walks it twice: once for the length, once for the bytes.
+struct Chunks<'a, P> {
     rest: &'a [P],
 }
 
 /// Cuts `pixels` into chunks.
-pub(super) const fn chunks<P: Pixel>(pixels: &[P]) -> Chunks<'_, P> {
+const fn chunks<P: WirePixel>(pixels: &[P]) -> Chunks<'_, P> {
     Chunks { rest: pixels }
 }
 
 /// The size of the packed pixels in bytes.
-pub(super) fn packed_len<P: Pixel>(pixels: &[P]) -> usize {
-    let pixel = P::FORMAT.bytes_per_pixel();
-    chunks(pixels).fold(0, |sum: usize, chunk| {
-        sum.saturating_add(chunk.pixels().len().saturating_mul(pixel)).saturating_add(1)
+pub(super) fn len<P: WirePixel>(pixels: &[P]) -> usize {
+    chunks(pixels)
+        .fold(0, |sum: usize, (_, pixels)| sum.saturating_add(raw::len(pixels)).saturating_add(1))
+}
+
+/// Gives the packed pixels to `put`, some bytes at a time.
+pub(super) fn pack<P: WirePixel, E>(
+    pixels: &[P],
+    put: &mut impl FnMut(&[u8]) -> Result<(), E>,
+) -> Result<(), E> {
+    chunks(pixels).try_for_each(|(control, pixels)| {
+        put(&[control])?;
+        raw::pack(pixels, put)
     })
 }
 
-impl<'a, P: Pixel> Iterator for Chunks<'a, P> {
-    type Item = Chunk<'a, P>;
+impl<'a, P: WirePixel> Iterator for Chunks<'a, P> {
+    type Item = (u8, &'a [P]);
 
-    fn next(&mut self) -> Option<Chunk<'a, P>> {
-        let first = *self.rest.first()?;
+    fn next(&mut self) -> Option<(u8, &'a [P])> {
+        let row = self.rest;
         // With no literal open, a run of two is never longer than the literal that it replaces.
-        let run = run_length(self.rest, MAX_CHUNK);
+        let run = run_length(row, MAX_CHUNK);
         if run >= 2 {
-            self.rest = self.rest.get(run..).unwrap_or_default();
-            return Some(Chunk::Repeat(first, run as u8));
+            self.rest = row.get(run..).unwrap_or_default();
+            return Some((1_u8.wrapping_sub(run as u8), row.get(..1)?));
         }
         // A run that breaks a literal in two costs a control byte more. Two pixels of two bytes pay for
         // it (4 bytes against 1 + 2 + 1), one-byte pixels only from three on (3 bytes against 1 + 1 + 1).
         let worthwhile = if P::FORMAT.bytes_per_pixel() == 1 { 3 } else { 2 };
-        let mut len = 1;
+        let mut len = run;
         while len < MAX_CHUNK {
-            let run = run_length(self.rest.get(len..).unwrap_or_default(), worthwhile);
+            let run = run_length(row.get(len..).unwrap_or_default(), worthwhile);
             if run == 0 || run >= worthwhile {
                 break;
             }
             len += run;
         }
-        let len = len.min(MAX_CHUNK);
-        let literal = self.rest.get(..len)?;
-        self.rest = self.rest.get(len..).unwrap_or_default();
-        Some(Chunk::Literal(literal))
+        let (literal, rest) = row.split_at_checked(len.min(MAX_CHUNK))?;
+        self.rest = rest;
+        let control = (literal.len() as u8).checked_sub(1)?;
+        Some((control, literal))
     }
 }
 
 /// How many pixels at the start are alike, at most `cap`.
-fn run_length<P: Pixel>(pixels: &[P], cap: usize) -> usize {
+fn run_length<P: WirePixel>(pixels: &[P], cap: usize) -> usize {
     let first = pixels.first();
     pixels.iter().take(cap).take_while(|pixel| Some(*pixel) == first).count()
 }
 
-/// Writes the packed pixels of `format` into the whole of `row`, as little-endian bytes.
-///
-/// On an error nothing has been written: the payload is walked once for its length first.
-pub(super) fn unpack(
-    mut packed: &[u8],
-    format: PixelFormat,
-    row: &mut [u8],
-) -> Result<(), UnpackError> {
-    let mut length: usize = 0;
-    let mut walk = packed;
-    while let Some((pixels, count)) = take_run(&mut walk, format)? {
-        length = length.saturating_add(pixels.len().saturating_mul(count));
-    }
-    if length > row.len() {
-        return Err(UnpackError::TooLong);
-    }
-    if length < row.len() {
-        return Err(UnpackError::TooShort);
-    }
-
-    let mut rest = row.iter_mut();
-    while let Some((pixels, count)) = take_run(&mut packed, format)? {
-        for _ in 0..count {
-            for (from, to) in pixels.iter().zip(&mut rest) {
-                *to = *from;
-            }
-        }
-    }
-    Ok(())
-}
-
 /// Takes the next run off `packed`: its bytes, and how often they stand in the row.
-fn take_run<'a>(
+pub(super) fn take_run<'a>(
     packed: &mut &'a [u8],
     format: PixelFormat,
 ) -> Result<Option<(&'a [u8], usize)>, UnpackError> {
@@ -163,20 +115,20 @@ mod tests {
 
     use super::*;
     use crate::render::{Gray8, Rgb565};
+    use crate::stream::{Encoding, RowPayload};
 
-    fn pack<P: Pixel>(pixels: &[P]) -> Vec<u8> {
+    fn packed<P: WirePixel>(pixels: &[P]) -> Vec<u8> {
         let mut bytes = Vec::new();
-        for chunk in chunks(pixels) {
-            bytes.push(chunk.control());
-            for pixel in chunk.pixels() {
-                bytes.extend_from_slice(pixel.to_le_bytes().as_ref());
-            }
-        }
+        let mut put = |more: &[u8]| {
+            bytes.extend_from_slice(more);
+            Ok::<_, ()>(())
+        };
+        assert_eq!(pack(pixels, &mut put), Ok(()));
         bytes
     }
 
     /// The least size of any packing, by dynamic programming over all ways to cut the row.
-    fn shortest<P: Pixel>(pixels: &[P]) -> usize {
+    fn shortest<P: WirePixel>(pixels: &[P]) -> usize {
         let bpp = P::FORMAT.bytes_per_pixel();
         let mut best = std::vec![0_usize; pixels.len() + 1];
         for end in 1..=pixels.len() {
@@ -207,19 +159,16 @@ mod tests {
     fn chunks_of_a_row() {
         let row: Vec<_> = [1, 2, 2, 3, 3, 3, 3, 4].map(Gray8).into();
         let cut: Vec<_> = chunks(&row).collect();
-        assert_eq!(
-            cut,
-            [Chunk::Literal(&row[..3]), Chunk::Repeat(Gray8(3), 4), Chunk::Literal(&row[7..])]
-        );
-        assert_eq!(pack(&row), [2, 1, 2, 2, 0xFD, 3, 0, 4]);
+        assert_eq!(cut, [(2, &row[..3]), (0xFD, &row[3..4]), (0, &row[7..])]);
+        assert_eq!(packed(&row), [2, 1, 2, 2, 0xFD, 3, 0, 4]);
     }
 
     #[test]
     fn longest_chunks() {
         let run = [Rgb565(0x1234); 129];
-        assert_eq!(pack(&run), [0x81, 0x34, 0x12, 0, 0x34, 0x12]);
+        assert_eq!(packed(&run), [0x81, 0x34, 0x12, 0, 0x34, 0x12]);
         let literal: Vec<_> = (0..=128).map(Gray8).collect();
-        let packed = pack(&literal);
+        let packed = packed(&literal);
         assert_eq!((packed[0], packed[129], packed.len()), (127, 0, 131));
     }
 
@@ -233,16 +182,17 @@ mod tests {
         }
     }
 
-    fn check<P: Pixel>(pixels: &[P]) -> Result<(), TestCaseError> {
-        let packed = pack(pixels);
-        prop_assert_eq!(packed.len(), packed_len(pixels));
+    fn check<P: WirePixel>(pixels: &[P]) -> Result<(), TestCaseError> {
+        let packed = packed(pixels);
+        prop_assert_eq!(packed.len(), len(pixels));
         // Exactly, until the limit of 128 pixels cuts a chunk where a cleverer cut would save a byte.
         let excess = packed.len() - shortest(pixels);
         prop_assert!(excess <= pixels.len() / MAX_CHUNK, "{} bytes too long", excess);
         let raw: Vec<u8> =
             pixels.iter().flat_map(|p| Vec::from(p.to_le_bytes().as_ref())).collect();
         let mut row = std::vec![0; raw.len()];
-        prop_assert_eq!(unpack(&packed, P::FORMAT, &mut row), Ok(()));
+        let payload = RowPayload { encoding: Encoding::PackBits, bytes: &packed };
+        prop_assert_eq!(payload.unpack(P::FORMAT, &mut row), Ok(()));
         prop_assert_eq!(row, raw);
         Ok(())
     }
