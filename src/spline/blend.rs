@@ -1,7 +1,6 @@
 //! The arithmetic of splines: what number types do in ways of their own.
 
 use super::tree;
-use super::weights::Weigh;
 use crate::scalar::{Polynomial, Scalar};
 use core::fmt::Debug;
 
@@ -10,7 +9,7 @@ use core::fmt::Debug;
 /// Inside of an evaluation, numbers are of the type `Inner`: in floating point the type itself; in
 /// fixed point 64 bits, of which 28 are guard bits. So a value is rounded once. Basis functions are
 /// computed in twice the working precision: their errors are relative, and nothing waits for them.
-pub trait Blend: Scalar + Weigh {
+pub trait Blend: Scalar {
     /// A number inside of an evaluation.
     #[doc(hidden)]
     type Inner: Copy + Debug + PartialEq + PartialOrd + 'static;
@@ -73,6 +72,14 @@ pub trait Blend: Scalar + Weigh {
     /// Where t is between `low` and `high`, which is larger.
     #[doc(hidden)]
     fn ratio(t: Self, low: Self, high: Self) -> Self::Ratio;
+
+    /// As [`ratio`](Self::ratio), for the many blends of a high order: in floating point with what
+    /// rounding leaves of it.
+    #[doc(hidden)]
+    #[inline]
+    fn fine_ratio(t: Self, low: Self, high: Self) -> Self::Ratio {
+        Self::ratio(t, low, high)
+    }
 
     /// `a + (b − a)·ratio`; exactly a or b where t was `low` or `high`.
     #[doc(hidden)]

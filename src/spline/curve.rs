@@ -4,29 +4,22 @@ use super::blend::Blend;
 use super::domain::{Domain, Outside};
 use super::knots::Knots;
 use super::point::{Inner, Point, combine, inner, outer};
-use super::weights::{SpanOf, Weigh};
 use super::{CurveError, EvaluateError};
 use crate::geom::Vec3;
 use crate::scalar::Number;
-use core::ops::Range;
 
 /// A B-spline curve of the order `K`, with room for `C` control points and `N` knots.
 ///
-/// In fixed point and in `f64`, it is evaluated by de Boor's algorithm (C. de Boor, *On calculating
-/// with B-splines*, Journal of Approximation Theory 6, 1972): control points are blended two by two,
-/// in fixed point with 28 guard bits. In `f32`, polynomials in whole numbers follow when a control
-/// point moves; an order up to 4 is within 1 unit in the last place of the largest coordinate of the
-/// control points, 5 within 1.5, and 6 within 2.5. That takes `C`·(4K² + 4K·D + 4D + 28) bytes for points
-/// of D coordinates. A curve with clamped ends passes through its first and last control point
-/// exactly.
+/// It is evaluated by de Boor's algorithm (C. de Boor, *On calculating with B-splines*, Journal of
+/// Approximation Theory 6, 1972): control points are blended two by two. In fixed point that has 28
+/// guard bits. In floating point each blend starts at the nearer end of its knot interval; orders up
+/// to 4 are within 5 units in the last place of the largest coordinate of the control points. A curve
+/// with clamped ends passes through its first and last control point exactly.
 #[derive(Debug, Clone, Copy)]
 pub struct Curve<P: Point, const K: usize, const C: usize, const N: usize> {
     pub(super) knots: Knots<P::Scalar, K, N>,
     /// As many as the knots demand, and behind them origins.
     pub(super) points: [P; C],
-    /// In `f32`, the weights of control points, and the polynomials that they make of these points.
-    pub(super) cells: <P::Scalar as Weigh>::Cells<K, C>,
-    pub(super) spans: [SpanOf<P, K>; C],
 }
 
 impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N> {
@@ -61,42 +54,7 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
         let count = self.knots.points();
         let place = self.points.get_mut(index).filter(|_| index < count);
         *place.ok_or(CurveError::PointCount)? = point;
-        self.prepare(index..index + 1);
         Ok(())
-    }
-
-    /// The polynomials that depend on control points with such indices.
-    fn prepare(&mut self, moved: Range<usize>) {
-        for (i, span) in self.spans.iter_mut().enumerate() {
-            let Some(first) = P::Scalar::first(&self.cells, i) else { break };
-            let points = self.points.get(first..).and_then(|points| points.first_chunk::<K>());
-            let Some(points) = points.filter(|_| first < moved.end && moved.start < first + K)
-            else {
-                continue;
-            };
-            for (d, grain) in span.grains.as_mut().iter_mut().enumerate() {
-                let of = |point: P| point.coordinates().as_ref().get(d).copied();
-                let coordinates = points.map(|point| of(point).unwrap_or(P::Scalar::ZERO));
-                let (lane, grain_of_lane) = P::Scalar::lane(&self.cells, i, coordinates);
-                *grain = grain_of_lane;
-                for (coefficients, c) in span.coefficients.iter_mut().zip(lane) {
-                    if let Some(place) = coefficients.as_mut().get_mut(d) {
-                        *place = c;
-                    }
-                }
-            }
-        }
-    }
-
-    /// Other knots and control points.
-    pub(super) fn replace(&mut self, knots: Knots<P::Scalar, K, N>, points: [P; C]) {
-        (self.knots, self.points) = (knots, points);
-        let (cells, frames) = P::Scalar::cells(&self.knots);
-        self.cells = cells;
-        for (span, frame) in self.spans.iter_mut().zip(frames) {
-            span.frame = frame;
-        }
-        self.prepare(0..C);
     }
 
     /// The parameters of the curve.
@@ -115,26 +73,7 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
     /// the policy says so; [`EvaluateError::Overflow`] only outside of the domain.
     #[inline]
     pub fn value(&self, t: P::Scalar, outside: Outside) -> Result<P, EvaluateError> {
-        match self.by_polynomials(t) {
-            Some(point) => Ok(point),
-            None => self.blended(t, outside),
-        }
-    }
-
-    // As a function, it would return through memory: 20 instructions of 106 on a Cortex-M4F.
-    #[inline(always)]
-    fn by_polynomials(&self, t: P::Scalar) -> Option<P> {
-        P::Scalar::at::<P, K, C>(&self.cells, &self.spans, t)
-    }
-
-    /// The point by de Boor's algorithm: in `f32` at clamped ends, outside of the domain, and for an
-    /// order that has no polynomials.
-    #[inline(never)]
-    fn blended(&self, t: P::Scalar, outside: Outside) -> Result<P, EvaluateError> {
         let t = self.domain().place(t, outside)?;
-        if let Some(point) = self.by_polynomials(t) {
-            return Ok(point);
-        }
         if matches!(outside, Outside::Extrapolate) {
             return self.checked_derivative(0, t);
         }
@@ -235,6 +174,9 @@ fn segment<'a, P: Point, const K: usize>(
     ))
 }
 
+/// The highest order whose blends are few enough for quick ratios.
+const QUICK: usize = 4;
+
 /// De Boor's triangle on a span, for parameters on it.
 #[inline]
 pub(super) fn on_span<P: Point, const K: usize>(
@@ -251,7 +193,8 @@ pub(super) fn on_span<P: Point, const K: usize>(
             let (Some(&low), Some(&high)) = (low.get(i + level), high.get(i)) else { break };
             let Some(&b) = blended.get(i + 1) else { break };
             let Some(a) = blended.get_mut(i) else { break };
-            let ratio = P::Scalar::ratio(t, low, high);
+            let ratio = if K > QUICK { P::Scalar::fine_ratio } else { P::Scalar::ratio };
+            let ratio = ratio(t, low, high);
             combine::<P>(a, b, |a, b| P::Scalar::blend(a, b, ratio));
         }
     }

@@ -19,6 +19,8 @@ pub struct Nearer<S> {
     from_high: bool,
     /// From −1/2 to 1/2 for parameters between the knots.
     offset: S,
+    /// What rounding has left of it, where that is known.
+    rest: Option<S>,
 }
 
 /// The value of a basis function, in twice the working precision.
@@ -130,13 +132,22 @@ macro_rules! floats {
                 let (above, below) = (t - low, t - high);
                 let from_high = -below < above;
                 let near = select_unpredictable(from_high, below, above);
-                Nearer { from_high, offset: near / (high - low) }
+                Nearer { from_high, offset: near / (high - low), rest: None }
+            }
+
+            #[inline]
+            fn fine_ratio(t: Self, low: Self, high: Self) -> Nearer<Self> {
+                let from_high = high - t < t - low;
+                let near = select_unpredictable(from_high, high, low);
+                let offset = quotient(Double::sum(t, -near), Double::sum(high, -low));
+                Nearer { from_high, offset: offset.high, rest: Some(offset.low) }
             }
 
             #[inline]
             fn blend(a: Self, b: Self, ratio: Nearer<Self>) -> Self {
                 let anchor = select_unpredictable(ratio.from_high, b, a);
-                anchor + (b - a) * ratio.offset
+                let product = (b - a) * ratio.offset;
+                anchor + ratio.rest.map_or(product, |rest| product + (b - a) * rest)
             }
 
             fn rise(weight: Weight<Self>, t: Self, low: Self, high: Self) -> Weight<Self> {

@@ -75,7 +75,8 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
             *new = before.and_then(|i| self.knots.knots.get(i)).copied().unwrap_or(knot);
         }
         let length = self.knots.length + 1;
-        self.replace(Knots { knots: new_knots, length }, new_points);
+        self.knots = Knots { knots: new_knots, length };
+        self.points = new_points;
         Ok(())
     }
 }

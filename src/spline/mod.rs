@@ -54,8 +54,6 @@ mod ticks;
 mod tree;
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
 mod unit;
-mod weights;
-
 pub use baked::Baked;
 pub use basis::NonZero;
 pub use blend::Blend;

@@ -1,10 +1,8 @@
 //! Constructors of curves, for constants: one set for each kind of points.
 
 use super::CurveError;
-use super::bake::Bake;
 use super::curve::Curve;
 use super::knots::Knots;
-use super::weights::Span;
 use crate::geom::Vec3;
 use crate::scalar::{ConstOps, FixedI32, Fraction};
 use core::marker::PhantomData;
@@ -124,35 +122,7 @@ macro_rules! shape {
                 if count < K || knots.spans() == 0 {
                     return Err(CurveError::Empty);
                 }
-                let (cells, frames) = Bake::<$Scalar>::cells::<K, C, N>(&knots);
-                let mut spans = [Span {
-                    frame: frames[0],
-                    grains: [Bake::<$Scalar>::NO_GRAIN; $D],
-                    coefficients: [[Bake::<$Scalar>::NO_WHOLE; $D]; K],
-                }; C];
-                let mut i = 0;
-                while i < C && let Some(first) = Bake::<$Scalar>::first::<K, C>(&cells, i) {
-                    spans[i].frame = frames[i];
-                    let mut d = 0;
-                    while d < $D {
-                        let mut coordinates = [ConstOps::<$Scalar>::ZERO; K];
-                        let mut j = 0;
-                        while j < K {
-                            coordinates[j] = Shape::<$Point>::coordinates(points[first + j])[d];
-                            j += 1;
-                        }
-                        let (lane, grain) = Bake::<$Scalar>::lane::<K, C>(&cells, i, coordinates);
-                        spans[i].grains[d] = grain;
-                        j = 0;
-                        while j < K {
-                            spans[i].coefficients[j][d] = lane[j];
-                            j += 1;
-                        }
-                        d += 1;
-                    }
-                    i += 1;
-                }
-                Ok(Self { knots, points, cells, spans })
+                Ok(Self { knots, points })
             }
         }
     };
