@@ -37,8 +37,6 @@ pub(crate) use self::double::Double;
 pub(crate) use self::error_free::two_sum;
 pub(crate) use self::fixed::Fraction;
 pub(crate) use self::float::Float;
-#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-pub(crate) use self::hardware::{cubic, leaf};
 pub(crate) use self::polynomial::{FloatFrame, Polynomial};
 pub(crate) use self::rebase::Rebased;
 

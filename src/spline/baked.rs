@@ -1,7 +1,7 @@
 //! Curves as polynomials, span by span.
 
 use super::bake::{Bake, polynomial};
-use super::blend::Blend;
+use super::blend::{Blend, horner};
 use super::curve::{Curve, direction};
 use super::domain::{Domain, Outside};
 use super::long::Long;
@@ -253,7 +253,7 @@ impl<P: Point, const K: usize, const SPANS: usize> Baked<P, K, SPANS> {
     #[inline(always)] // a call would cost the quick path registers
     fn piece(&self, key: Key<P>) -> Option<&Piece<P, K>> {
         let nodes = P::Scalar::pieces(&self.nodes).as_flattened();
-        P::Scalar::find(nodes, P::Scalar::pieces(&self.pieces), &key)
+        tree::find(nodes, P::Scalar::pieces(&self.pieces), &key)
     }
 }
 
@@ -271,7 +271,7 @@ impl<S: Blend, const K: usize, const SPANS: usize> Baked<Vec3<S>, K, SPANS> {
 impl<P: Point, const K: usize> Piece<P, K> {
     #[inline]
     fn value(&self, t: P::Scalar) -> P {
-        let Some(sums) = P::Scalar::sums(&self.polynomial, t) else { return P::ORIGIN };
+        let Some(sums) = horner(&self.polynomial, t) else { return P::ORIGIN };
         let mut point = P::ORIGIN.coordinates();
         let values = sums.as_ref().iter().zip(self.base.as_ref());
         for (x, (sum, base)) in point.as_mut().iter_mut().zip(values) {

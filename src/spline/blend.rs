@@ -1,6 +1,5 @@
 //! The arithmetic of splines: what number types do in ways of their own.
 
-use super::tree;
 use crate::scalar::{Polynomial, Scalar};
 use core::fmt::Debug;
 
@@ -144,13 +143,6 @@ pub trait Blend: Scalar {
         pieces: &Self::Pieces<T, SPANS>,
     ) -> &[T];
 
-    /// As [`tree::find`].
-    #[doc(hidden)]
-    #[inline(always)]
-    fn find<'a, T>(nodes: &[Self::Key], elements: &'a [T], key: &Self::Key) -> Option<&'a T> {
-        tree::find(nodes, elements, key)
-    }
-
     /// The smaller one of t and the last number before `end`.
     #[doc(hidden)]
     fn before(t: Self, end: Self) -> Self;
@@ -178,19 +170,6 @@ pub trait Blend: Scalar {
         Self::horner(sum, local, c)
     }
 
-    /// Horner's rule for all coordinates of a baked curve. There is a coefficient for an order above 0.
-    #[doc(hidden)]
-    #[inline]
-    fn sums<Row, const K: usize>(
-        polynomial: &Polynomial<Self::Frame, Row, K>,
-        t: Self,
-    ) -> Option<Row>
-    where
-        Row: Copy + AsRef<[Self::Coefficient]> + AsMut<[Self::Coefficient]> + 'static,
-    {
-        horner(polynomial, t)
-    }
-
     /// The value of a baked polynomial.
     #[doc(hidden)]
     fn baked(sum: Self::Coefficient, base: Self::Base, frame: &Self::Frame) -> Self;
@@ -216,7 +195,7 @@ pub(super) fn falling(i: usize, order: usize) -> i64 {
 /// The lowest order whose rounding errors take more than Horner's rule to be small.
 const HIGH: usize = 6;
 
-/// As [`Blend::sums`].
+/// Horner's rule for all coordinates of a baked curve. There is a coefficient for an order above 0.
 #[inline]
 pub(super) fn horner<S: Blend, Row, const K: usize>(
     polynomial: &Polynomial<S::Frame, Row, K>,

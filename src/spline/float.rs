@@ -1,10 +1,6 @@
 //! Splines in floating point.
 
 use super::blend::{Blend, falling};
-#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-use super::unit;
-#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-use crate::scalar::Polynomial;
 use crate::scalar::{Double, Float, FloatFrame, Number, Real, Scalar};
 use core::fmt::Debug;
 use core::hint::select_unpredictable;
@@ -79,7 +75,7 @@ macro_rules! orders {
 orders!(order_f32 f32 i32, order_f64 f64 i64);
 
 macro_rules! floats {
-    ($($Float:ident $fmod:path, $Key:ident $Whole:ident $order:ident, {$($own:tt)*}),+) => {$(
+    ($($Float:ident $fmod:path, $Key:ident $Whole:ident $order:ident),+) => {$(
         impl Blend for $Float {
             type Inner = Self;
             type Weight = Weight<Self>;
@@ -89,8 +85,6 @@ macro_rules! floats {
             type Coefficient = Self;
             type Key = $Key;
             type Base = ();
-
-            $($own)*
 
             const LARGEST: Self = Self::MAX_COORDINATE;
             const NOTHING: Self = 0.0;
@@ -280,26 +274,8 @@ macro_rules! floats {
 }
 
 floats!(
-    f32 libm::fmodf, u32 i32 order_f32, {
-        #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-        #[inline(always)]
-        fn find<'a, T>(nodes: &[u32], elements: &'a [T], key: &u32) -> Option<&'a T> {
-            unit::find(nodes, elements, *key)
-        }
-
-        #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-        #[inline]
-        fn sums<Row, const K: usize>(
-            polynomial: &Polynomial<FloatFrame<Self>, Row, K>,
-            t: Self,
-        ) -> Option<Row>
-        where
-            Row: Copy + AsRef<[Self]> + AsMut<[Self]> + 'static,
-        {
-            unit::sums(polynomial, t)
-        }
-    },
-    f64 libm::fmod, u64 i64 order_f64, {}
+    f32 libm::fmodf, u32 i32 order_f32,
+    f64 libm::fmod, u64 i64 order_f64
 );
 
 const _: () = assert!(<f32 as Scalar>::MAX_COORDINATE < 1e18);

@@ -52,8 +52,6 @@ mod shape;
 mod sweep;
 mod ticks;
 mod tree;
-#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-mod unit;
 pub use baked::Baked;
 pub use basis::NonZero;
 pub use blend::Blend;
