@@ -20,7 +20,6 @@ mod fused;
 mod hardware;
 pub(crate) mod integer;
 mod number;
-mod polynomial;
 mod rebase;
 mod root;
 mod scale;
@@ -37,7 +36,6 @@ pub(crate) use self::double::Double;
 pub(crate) use self::error_free::two_sum;
 pub(crate) use self::fixed::Fraction;
 pub(crate) use self::float::Float;
-pub(crate) use self::polynomial::{FloatFrame, Polynomial};
 pub(crate) use self::rebase::Rebased;
 
 use core::fmt::Debug;
