@@ -29,14 +29,14 @@ macro_rules! bake {
             pub const fn bake<const SPANS: usize>(
                 &self,
             ) -> Result<Baked<$Point, K, SPANS>, CurveError> {
-                let knots = &ConstOps::<$Scalar>::wide(&self.knots.knots);
+                let knots = &$kind.numbers(&ConstOps::<$Scalar>::keys(&self.knots.knots));
                 let domain = [K - 1, self.knots.points()];
                 let spans = self.knots.spans();
                 let layout = match Layout::<$PIECES, SPANS>::new($kind, knots, domain, spans) {
                     Ok(layout) => layout,
                     Err(error) => return Err(error),
                 };
-                let points = &self.wide();
+                let points = &$kind.rows(&Self::keys(&self.points));
                 let mut pieces = match ConstOps::<$Scalar>::piece(knots, points, layout.place(0)) {
                     Ok(piece) => [[piece; $PIECES]; SPANS],
                     Err(error) => return Err(error),

@@ -24,8 +24,8 @@ pub(super) const SINGLE: Float =
 pub(super) const DOUBLE: Float =
     Float { is_single: false, epsilon: f64::EPSILON, least: f64::MIN_POSITIVE };
 
-/// A piece of the polynomials in all coordinates, in numbers of the type.
-type WidePiece<const K: usize, const D: usize> = Piece<FloatMap<f64>, [f64; D], [(); D], K>;
+/// Polynomials in all coordinates.
+type FloatPiece<S, const K: usize, const D: usize> = Piece<FloatMap<S>, [S; D], [(); D], K>;
 
 impl Float {
     /// The nearest number of the type.
@@ -80,7 +80,7 @@ impl Float {
         points: &[[f64; D]; C],
         span: usize,
         [start, stop]: [f64; 2],
-    ) -> WidePiece<K, D> {
+    ) -> FloatPiece<f64, K, D> {
         let map = self.map(start, stop);
         let (mut low, mut high) = ([ZERO; K], [ZERO; K]);
         let mut i = 0;
@@ -123,7 +123,7 @@ impl ConstOps<f64> {
         knots: &[f64; N],
         points: &[[f64; D]; C],
         (span, ends): (usize, [f64; 2]),
-    ) -> Result<WidePiece<K, D>, CurveError> {
+    ) -> Result<FloatPiece<f64, K, D>, CurveError> {
         Ok(DOUBLE.piece(knots, points, span, ends))
     }
 }
@@ -133,7 +133,7 @@ impl ConstOps<f32> {
         knots: &[f64; N],
         points: &[[f64; D]; C],
         (span, ends): (usize, [f64; 2]),
-    ) -> Result<Piece<FloatMap<f32>, [f32; D], [(); D], K>, CurveError> {
+    ) -> Result<FloatPiece<f32, K, D>, CurveError> {
         let Piece { coefficients: wide, map, base } =
             SINGLE.piece::<K, D, C, N>(knots, points, span, ends);
         let mut coefficients = [[0.0; D]; K];

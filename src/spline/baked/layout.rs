@@ -33,6 +33,38 @@ impl Kind {
         }
     }
 
+    /// The numbers with these keys, which are their own inverse.
+    pub(super) const fn numbers<const N: usize>(self, keys: &[i64; N]) -> [f64; N] {
+        let mut numbers = [0.0; N];
+        let mut i = 0;
+        while i < N {
+            let key = keys[i];
+            numbers[i] = match self {
+                Self::Float(Float { is_single: true, .. }) => {
+                    f32::from_bits(order_f32(f32::from_bits(key as u32)) as u32) as f64
+                }
+                Self::Float(_) => f64::from_bits(order_f64(f64::from_bits(key as u64)) as u64),
+                Self::Fixed => key as f64,
+            };
+            i += 1;
+        }
+        numbers
+    }
+
+    /// As [`numbers`](Self::numbers), for all coordinates of points.
+    pub(super) const fn rows<const N: usize, const D: usize>(
+        self,
+        keys: &[[i64; D]; N],
+    ) -> [[f64; D]; N] {
+        let mut rows = [[0.0; D]; N];
+        let mut i = 0;
+        while i < N {
+            rows[i] = self.numbers(&keys[i]);
+            i += 1;
+        }
+        rows
+    }
+
     /// `low + (high − low)·index/count`, rounded.
     const fn between(self, low: f64, high: f64, index: usize, count: usize) -> f64 {
         match self {
@@ -67,7 +99,7 @@ impl<const PIECES: usize, const SPANS: usize> Layout<PIECES, SPANS> {
         spans: usize,
     ) -> Result<Self, CurveError> {
         const { assert!(SPANS > 0) };
-        if spans == 0 || spans > SPANS || SPANS % spans != 0 {
+        if spans == 0 || spans > SPANS || !SPANS.is_multiple_of(spans) {
             return Err(CurveError::SpanCount);
         }
         let parts = SPANS / spans;

@@ -5,19 +5,27 @@ use crate::geom::Vec3;
 use crate::scalar::{ConstOps, FixedI32, Fraction};
 use crate::spline::error::CurveError;
 use crate::spline::knots::Knots;
-use crate::spline::scalar::constant::{are_finite, repeated};
+use crate::spline::scalar::constant::{NOT_FINITE, repeated};
 
-/// Whether coordinates with these keys are those of a control point.
-const fn check(keys: &[i64], [lowest, highest]: [i64; 2]) -> Result<(), CurveError> {
-    if !are_finite(keys) {
-        return Err(CurveError::NotFinite);
+/// Whether so many points, whose coordinates have these keys, are control points.
+const fn check<const D: usize>(
+    points: &[[i64; D]],
+    count: usize,
+    [lowest, highest]: [i64; 2],
+) -> Result<(), CurveError> {
+    if count > points.len() {
+        return Err(CurveError::PointCount);
     }
-    let mut rest = keys;
-    while let [key, others @ ..] = rest {
-        if *key < lowest || highest < *key {
+    let mut i = 0;
+    while i < count * D {
+        let key = points[i / D][i % D];
+        if key == NOT_FINITE {
+            return Err(CurveError::NotFinite);
+        }
+        if key < lowest || highest < key {
             return Err(CurveError::TooFar);
         }
-        rest = others;
+        i += 1;
     }
     Ok(())
 }
@@ -76,17 +84,9 @@ macro_rules! constructors {
                 points: [$Point; C],
             ) -> Result<Self, CurveError> {
                 let count = knots.points();
-                if count > C {
-                    return Err(CurveError::PointCount);
-                }
-                let mut i = 0;
-                while i < count {
-                    let $point = points[i];
-                    let keys = ConstOps::<$Scalar>::keys(&$coordinates);
-                    if let Err(error) = check(&keys, ConstOps::<$Scalar>::REACH) {
-                        return Err(error);
-                    }
-                    i += 1;
+                let keys = Self::keys(&points);
+                if let Err(error) = check(&keys, count, ConstOps::<$Scalar>::REACH) {
+                    return Err(error);
                 }
                 if count < K || knots.spans() == 0 {
                     return Err(CurveError::Empty);
@@ -94,16 +94,16 @@ macro_rules! constructors {
                 Ok(Self { knots, points })
             }
 
-            /// The coordinates of all control points, in fixed point as bits.
-            pub(in crate::spline) const fn wide(&self) -> [[f64; $D]; C] {
-                let mut wide = [[0.0; $D]; C];
+            /// The keys of all coordinates.
+            pub(in crate::spline) const fn keys(points: &[$Point; C]) -> [[i64; $D]; C] {
+                let mut keys = [[0; $D]; C];
                 let mut i = 0;
                 while i < C {
-                    let $point = self.points[i];
-                    wide[i] = ConstOps::<$Scalar>::wide(&$coordinates);
+                    let $point = points[i];
+                    keys[i] = ConstOps::<$Scalar>::keys(&$coordinates);
                     i += 1;
                 }
-                wide
+                keys
             }
         }
     };

@@ -3,7 +3,7 @@
 use super::Knots;
 use crate::scalar::{ConstOps, FixedI32, Fraction};
 use crate::spline::error::KnotError;
-use crate::spline::scalar::constant::{NOT_FINITE, are_finite};
+use crate::spline::scalar::constant::{NOT_FINITE, are_finite, placed};
 
 /// Whether keys of numbers are those of a knot sequence of an order.
 const fn check(keys: &[i64], order: usize) -> Result<(), KnotError> {
@@ -46,23 +46,17 @@ const fn between<T>(all: &[T], from: usize, to: usize) -> &[T] {
     if from <= to { all.split_at(from).1.split_at(to - from).0 } else { &[] }
 }
 
-/// Of a periodic sequence of breaks, the j-th knot that is made outwards: `knots[to]` is the number
-/// `knots[from]`, moved by a period downwards or upwards.
-struct Outward {
-    from: usize,
-    to: usize,
-    is_down: bool,
-}
-
-/// First those before the breaks, then those behind them.
-const fn outward(j: usize, order: usize, breaks: usize) -> Outward {
-    let degree = order - 1;
-    if j < degree {
-        let to = degree - 1 - j;
-        Outward { from: to + breaks - 1, to, is_down: true }
+/// Which knots the j-th one of those around a period comes from: `knots[to]` is `knots[low]` and the
+/// distance of `knots[from]` from `knots[high]`. First those before the period, then those behind it, both
+/// outwards; `[to, low, from, high]`.
+const fn outward(j: usize, order: usize, breaks: usize) -> [usize; 4] {
+    let (first, last) = (order - 1, order + breaks - 2);
+    if j < first {
+        let to = first - 1 - j;
+        [to, first, to + breaks - 1, last]
     } else {
-        let from = j - degree + order;
-        Outward { from, to: from + breaks - 1, is_down: false }
+        let from = j + 1;
+        [from + breaks - 1, last, from, first]
     }
 }
 
@@ -77,7 +71,7 @@ macro_rules! constructors {
                 if knots.len() > N {
                     return Err(KnotError::TooMany);
                 }
-                Self::checked(ConstOps::<$Scalar>::copied(knots, 0), knots.len())
+                Self::checked(placed(knots, 0, ConstOps::<$Scalar>::ZERO), knots.len())
             }
 
             /// Knots at equal distances, `from`, `from + step` and so on: those of *cardinal*
@@ -159,20 +153,18 @@ macro_rules! constructors {
                 if length > N || length + 2 * (K - 1) > N {
                     return Err(KnotError::TooMany);
                 }
-                let ([first, _, ..], [.., last]) = (breaks, breaks) else {
+                if length < 2 {
                     return Err(KnotError::TooFew);
-                };
-                let mut knots = ConstOps::<$Scalar>::copied(breaks, K - 1);
+                }
+                let mut knots = placed(breaks, K - 1, ConstOps::<$Scalar>::ZERO);
                 if !are_finite(&ConstOps::<$Scalar>::keys(&knots)) {
                     return Err(KnotError::NotFinite);
                 }
                 let mut j = 0;
                 while j < 2 * (K - 1) {
-                    let Outward { from, to, is_down } = outward(j, K, length);
-                    let (low, high) = if is_down { (*first, *last) } else { (*last, *first) };
-                    let Some(knot) = ConstOps::<$Scalar>::shifted(low, knots[from], high) else {
-                        return Err(KnotError::TooFar);
-                    };
+                    let [to, low, from, high] = outward(j, K, length);
+                    let knot = ConstOps::<$Scalar>::shifted(knots[low], knots[from], knots[high]);
+                    let Some(knot) = knot else { return Err(KnotError::TooFar) };
                     knots[to] = knot;
                     j += 1;
                 }

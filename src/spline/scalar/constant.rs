@@ -40,23 +40,24 @@ pub(in crate::spline) const fn repeated<T: Copy, const C: usize>(
     copy
 }
 
-macro_rules! sequences {
-    ([$($generics:tt)*] $Scalar:ty, $zero:expr, |$x:ident| $key:expr, $wide:expr) => {
-        impl<$($generics)*> ConstOps<$Scalar> {
-            /// Numbers from an index on, and zeros around them.
-            pub(in crate::spline) const fn copied<const N: usize>(
-                numbers: &[$Scalar],
-                from: usize,
-            ) -> [$Scalar; N] {
-                let mut copy = [$zero; N];
-                let mut i = 0;
-                while i < numbers.len() && from + i < N {
-                    copy[from + i] = numbers[i];
-                    i += 1;
-                }
-                copy
-            }
+/// Elements from an index on, as far as there is room for them, and others around them.
+pub(in crate::spline) const fn placed<T: Copy, const N: usize>(
+    elements: &[T],
+    from: usize,
+    other: T,
+) -> [T; N] {
+    let mut copy = [other; N];
+    let mut i = 0;
+    while i < elements.len() && from + i < N {
+        copy[from + i] = elements[i];
+        i += 1;
+    }
+    copy
+}
 
+macro_rules! keys {
+    ($([$($generics:tt)*] $Scalar:ty, |$x:ident| $key:expr;)+) => {$(
+        impl<$($generics)*> ConstOps<$Scalar> {
             /// Integers in the order of the numbers; −0 is as large as 0.
             pub(in crate::spline) const fn keys<const N: usize>(numbers: &[$Scalar; N]) -> [i64; N] {
                 let mut keys = [0; N];
@@ -68,25 +69,15 @@ macro_rules! sequences {
                 }
                 keys
             }
-
-            /// The same numbers, or in fixed point their bits.
-            pub(in crate::spline) const fn wide<const N: usize>(numbers: &[$Scalar; N]) -> [f64; N] {
-                let mut wide = [0.0; N];
-                let mut i = 0;
-                while i < N {
-                    let $x = numbers[i];
-                    wide[i] = $wide;
-                    i += 1;
-                }
-                wide
-            }
         }
-    };
+    )+};
 }
 
-sequences!([] f32, 0.0, |x| if x.is_finite() { order_f32(x + 0.0) as i64 } else { NOT_FINITE }, x as f64);
-sequences!([] f64, 0.0, |x| if x.is_finite() { order_f64(x + 0.0) } else { NOT_FINITE }, x);
-sequences!([F: Fraction,] FixedI32<F>, FixedI32::from_bits(0), |x| x.to_bits() as i64, x.to_bits() as f64);
+keys! {
+    [] f32, |x| if x.is_finite() { order_f32(x + 0.0) as i64 } else { NOT_FINITE };
+    [] f64, |x| if x.is_finite() { order_f64(x + 0.0) } else { NOT_FINITE };
+    [F: Fraction,] FixedI32<F>, |x| x.to_bits() as i64;
+}
 
 macro_rules! floats {
     ($($Float:ident),+) => {$(

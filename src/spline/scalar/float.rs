@@ -21,9 +21,6 @@ pub trait FloatSpline: Float {
     /// The nearest number.
     fn from_i64(x: i64) -> Self;
 
-    /// The largest integer that isn't larger, within the range.
-    fn to_u32(self) -> u32;
-
     /// As [`SplineScalar::after`].
     fn keys_after(self, start: Self::Bits) -> Self::Bits;
 
@@ -46,11 +43,6 @@ macro_rules! floats {
             #[inline]
             fn from_i64(x: i64) -> Self {
                 x as Self
-            }
-
-            #[inline]
-            fn to_u32(self) -> u32 {
-                self as u32
             }
 
             #[inline]
@@ -272,10 +264,10 @@ impl<S: FloatSpline> SplineScalar for S {
 
     fn segments(norm: Self, factor: u16, tolerance: Self) -> u32 {
         let exact = (norm / tolerance * (Self::from_int(factor.into()) / Self::from_int(8))).sqrt();
-        // Large quotients stay at the largest whole number.
-        let whole = exact.to_u32();
-        let more = u32::from(exact > Self::from_i64(whole.into()));
-        whole.saturating_add(more).max(1)
+        // Large quotients stay at the largest integer.
+        let integer = exact.floor_to_i32();
+        let more = i32::from(exact > Self::from_i64(integer.into()));
+        integer.saturating_add(more).max(1).cast_unsigned()
     }
 
     #[inline]
