@@ -10,7 +10,7 @@ use scancsg::render::{
 };
 use scancsg::solid::{
     Cylinder, CylinderError, CylinderWall, Difference, Painted, PipeError, RayCast, Rgb, Shape,
-    Slab, SlabError, Solid, Sphere, SphereError, Union,
+    Slab, SlabError, Sphere, SphereError, Union,
 };
 use scancsg::span::SpanList;
 use std::collections::HashSet;

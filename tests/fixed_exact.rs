@@ -19,7 +19,7 @@ use number::Tested;
 use proptest::prelude::*;
 use scancsg::geom::{Ray, Vec3, vec3};
 use scancsg::scalar::I16F16;
-use scancsg::solid::{Cylinder, CylinderWall, Hit, RayCast, Slab, Solid, Sphere};
+use scancsg::solid::{Cylinder, CylinderWall, Hit, RayCast, Slab, Sphere};
 use scancsg::span::{Face, Span, SpanList};
 use std::cell::Cell;
 use std::cmp::Ordering;

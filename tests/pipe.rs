@@ -15,7 +15,7 @@ use scancsg::render::{Camera, Gray8, Orthographic, Perspective, Picture, Size, X
 use scancsg::scalar::I16F16;
 use scancsg::solid::{Painted, Pipe, PipeError, RayCast, Rgb, Scan, Shape, Solid};
 use scancsg::span::{Face, SpanList};
-use scancsg::spline::{Blend, Curve, Knots, Outside};
+use scancsg::spline::{Curve, Knots, Outside, SplineScalar};
 
 type V = [f64; 3];
 
@@ -91,7 +91,7 @@ impl Model {
 }
 
 /// A number type that curves and pipes are made of.
-trait Piped: Tested + Blend {
+trait Piped: Tested + SplineScalar {
     /// A clamped cubic.
     fn curve(points: [V; 6]) -> Curve<Vec3<Self>, 4, 6, 10>;
     /// A closed cubic, with the control points on a circle.

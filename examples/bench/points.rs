@@ -9,13 +9,13 @@ use core::hint::black_box;
 use scancsg::constant;
 use scancsg::geom::{Vec3, vec3};
 use scancsg::scalar::I16F16;
-use scancsg::spline::{Baked, Blend, Curve, Knots};
+use scancsg::spline::{Baked, Curve, Knots, SplineScalar};
 
 /// Cubic curves in space, with eight control points.
 pub type Editable<S> = Curve<Vec3<S>, 4, 8, 12>;
 pub type InFlash<S> = Baked<Vec3<S>, 4, 5>;
 
-pub trait Splines: Blend + Scene {
+pub trait Splines: SplineScalar + Scene {
     const KNOTS: Knots<Self, 4, 12>;
     const EDITABLE: Editable<Self>;
     const BAKED: InFlash<Self>;

@@ -5,7 +5,7 @@ use scancsg::constant;
 use scancsg::geom::{Vec3, vec3};
 use scancsg::scalar::I16F16;
 use scancsg::solid::{Difference, Painted, Pipe, PipeError};
-use scancsg::spline::{Blend, Curve, Knots};
+use scancsg::spline::{Curve, Knots, SplineScalar};
 
 /// How many segments there is room for: in a picture of 480 rows they follow the curve to a quarter
 /// of a pixel.
@@ -21,7 +21,7 @@ const POINTS: usize = 10;
 const KNOTS: usize = POINTS + 4;
 
 /// The pipe in a number type.
-pub trait PipeScene: Scene + Blend {
+pub trait PipeScene: Scene + SplineScalar {
     /// Its middle line.
     const PATH: Curve<Vec3<Self>, 4, POINTS, KNOTS>;
 

@@ -1,8 +1,8 @@
-//! Twice the working precision where a difference cancels: unevaluated sums of two numbers, and what
-//! is made of error-free products.
+//! Twice the working precision where a difference cancels: unevaluated sums of two numbers.
 
-use super::error_free::{quick_two_sum, two_sum};
+use super::error_free::two_sum;
 use super::native::Native;
+use super::products::long_dot3;
 
 /// `high + low`, where `low` is at most half a unit in the last place of `high`.
 ///
@@ -45,16 +45,6 @@ impl<S: Native> Double<S> {
         high + (error - lost)
     }
 
-    /// `self + other`; accurate also where the two nearly cancel (AccurateDWPlusDW).
-    #[inline]
-    pub(crate) fn plus(self, other: Self) -> Self {
-        let (high, high_error) = two_sum(self.high, other.high);
-        let (low, low_error) = two_sum(self.low, other.low);
-        let (high, rest) = quick_two_sum(high, high_error + low);
-        let (high, low) = quick_two_sum(high, rest + low_error);
-        Self { high, low }
-    }
-
     /// `self + other`, with an error of a few units of the last place of both operands' `low`:
     /// less than [`plus`](Self::plus) where they cancel, but enough for a sum of exact products.
     #[inline]
@@ -79,21 +69,6 @@ impl<S: Native> Double<S> {
         (xy - zz) + ((xy_error - zz_error) + (cross - (twice + twice)))
     }
 
-    /// `self − other`.
-    #[inline]
-    pub(crate) fn minus(self, other: Self) -> Self {
-        self.plus(Self { high: -other.high, low: -other.low })
-    }
-
-    /// `self · other` (DWTimesDW1).
-    #[inline]
-    pub(crate) fn times(self, other: Self) -> Self {
-        let (high, error) = S::two_product(self.high, other.high);
-        let cross = self.high * other.low + self.low * other.high;
-        let (high, low) = quick_two_sum(high, error + cross);
-        Self { high, low }
-    }
-
     /// The nearest single number.
     #[inline]
     pub(crate) fn round(self) -> S {
@@ -101,62 +76,119 @@ impl<S: Native> Double<S> {
     }
 }
 
-/// `a + b·c` with the product's rounding error added back: the result's only error is the
-/// rounding of the sums.
-#[inline]
-pub(crate) fn add_product<S: Native>(a: S, b: S, c: S) -> S {
-    let (product, product_error) = S::two_product(b, c);
-    let (sum, sum_error) = two_sum(a, product);
-    sum + (sum_error + product_error)
+/// What generic code and constants both need, under two names: a trait's methods can't be `const`.
+macro_rules! operations {
+    ($([$($constant:tt)?] [$($generics:tt)*] $S:ty: $plus:ident $minus:ident $times:ident, $sum:path, $product:path;)+) => {$(
+        impl<$($generics)*> Double<$S> {
+            /// `self + other`; accurate also where the two nearly cancel (AccurateDWPlusDW).
+            #[inline]
+            pub(crate) $($constant)? fn $plus(self, other: Self) -> Self {
+                let (high, high_error) = $sum(self.high, other.high);
+                let (low, low_error) = $sum(self.low, other.low);
+                // The first one is the larger, from here on.
+                let first = high + (high_error + low);
+                let rest = (high_error + low) - (first - high);
+                let high = first + (rest + low_error);
+                Self { high, low: (rest + low_error) - (high - first) }
+            }
+
+            /// `self − other`.
+            #[inline]
+            pub(crate) $($constant)? fn $minus(self, other: Self) -> Self {
+                self.$plus(Self { high: -other.high, low: -other.low })
+            }
+
+            /// `self · other` (DWTimesDW1).
+            #[inline]
+            pub(crate) $($constant)? fn $times(self, other: Self) -> Self {
+                let (product, error) = $product(self.high, other.high);
+                let rest = error + (self.high * other.low + self.low * other.high);
+                let high = product + rest;
+                Self { high, low: rest - (high - product) }
+            }
+        }
+    )+};
 }
 
-/// `a·b − c·d` from error-free products, good to 2 units in the last place.
-///
-/// Kahan's difference of products; the bound is that of Jeannerod, Louvet and Muller, *Further
-/// analysis of Kahan's algorithm for the accurate computation of 2×2 determinants*, Mathematics
-/// of Computation 82 (2013), section 4, with both products' errors kept.
-#[inline]
-pub(crate) fn product_difference<S: Native>(a: S, b: S, c: S, d: S) -> S {
-    let (ab, ab_error) = S::two_product(a, b);
-    let (cd, cd_error) = S::two_product(c, d);
-    (ab - cd) + (ab_error - cd_error)
+operations! {
+    [] [S: Native] S: plus minus times, two_sum, S::two_product;
+    [const] [] f64: add sub mul, exact_sum, exact_product;
 }
 
-/// The sum of three products in twice the working precision: algorithm `Dot2` of Ogita, Rump and
-/// Oishi, *Accurate sum and dot product*, SIAM Journal on Scientific Computing 26 (2005).
-#[inline]
-pub(crate) fn dot3<S: Native>(x: [S; 3], y: [S; 3]) -> S {
-    let (sum, error) = long_dot3(x, y);
-    sum + error
+/// For constants.
+impl Double<f64> {
+    /// `a + b`, exactly.
+    pub(crate) const fn of_sum(a: f64, b: f64) -> Self {
+        let (high, low) = exact_sum(a, b);
+        Self { high, low }
+    }
+
+    /// `self / other`.
+    pub(crate) const fn div(self, other: Self) -> Self {
+        let high = self.high / other.high;
+        let rest = self.sub(other.mul(Self { high, low: 0.0 }));
+        Self::of_sum(high, rest.high / other.high)
+    }
+
+    /// Times a power of two.
+    pub(crate) const fn scaled(self, power: f64) -> Self {
+        Self { high: self.high * power, low: self.low * power }
+    }
+
+    /// The nearest integer, halves upwards; for numbers below 2⁶³.
+    pub(crate) const fn nearest(self) -> i64 {
+        let integer = self.high as i64;
+        let rest = (self.high - integer as f64) + self.low;
+        let floor = rest as i64 - (rest < 0.0) as i64;
+        integer.saturating_add(floor).saturating_add((rest - floor as f64 >= 0.5) as i64)
+    }
 }
 
-/// [`dot3`] before its last rounding: the sum, and what it has lost.
-#[inline]
-fn long_dot3<S: Native>(x: [S; 3], y: [S; 3]) -> (S, S) {
-    let (p0, e0) = S::two_product(x[0], y[0]);
-    let (p1, e1) = S::two_product(x[1], y[1]);
-    let (p2, e2) = S::two_product(x[2], y[2]);
-    let (s, f1) = two_sum(p0, p1);
-    let (s, f2) = two_sum(s, p2);
-    (s, ((e0 + e1) + f1) + (e2 + f2))
+/// As [`two_sum`].
+const fn exact_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let b_rounded = sum - a;
+    let a_rounded = sum - b_rounded;
+    (sum, (a - a_rounded) + (b - b_rounded))
+}
+
+/// As [`Native::two_product`].
+const fn exact_product(a: f64, b: f64) -> (f64, f64) {
+    const fn split(x: f64) -> [f64; 2] {
+        let shifted = x * 134_217_729.0;
+        let high = shifted - (shifted - x);
+        [high, x - high]
+    }
+    let product = a * b;
+    let ([a, a_low], [b, b_low]) = (split(a), split(b));
+    (product, a_low * b_low - (((product - a * b) - a_low * b) - a * b_low))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use proptest::prelude::*;
 
-    proptest! {
-        #[test]
-        fn a_difference_of_products_survives_cancellation(
-            a in 1f32..2.0, b in 1f32..2.0, ulps in -3i32..=3,
-        ) {
-            // c·d is a·b moved by a few ulps: the naive difference has no correct digit left.
-            let c = f32::from_bits(a.to_bits().wrapping_add_signed(ulps));
-            let d = f32::from_bits(b.to_bits().wrapping_add_signed(1));
-            let exact = f64::from(a) * f64::from(b) - f64::from(c) * f64::from(d);
-            let got = f64::from(product_difference(a, b, c, d));
-            prop_assert!((got - exact).abs() <= 1.2e-7 * exact.abs(), "{got} against {exact}");
+    type Words = Double<f64>;
+
+    #[test]
+    fn digits_beyond_those_of_a_double() {
+        let [one, three] = [1.0, 3.0].map(Words::from);
+        let third = one.div(three);
+        let rest = one.sub(third.mul(three));
+        assert!(rest.high.abs() < 1e-31, "{}", rest.high);
+        let tiny = 1e-20;
+        let sum = Words::of_sum(1.0, tiny).add(Words::of_sum(tiny, -1.0));
+        assert_eq!(sum.high, 2.0 * tiny);
+        let large = Words::of_sum((1u64 << 62) as f64, 0.75);
+        assert_eq!(large.nearest(), (1 << 62) + 1);
+    }
+
+    #[test]
+    fn integers_are_nearest() {
+        let cases =
+            [(0.5, 1), (-0.5, 0), (-0.6, -1), (2.4, 2), (-2.4, -2), (1e15, 1_000_000_000_000_000)];
+        for (x, integer) in cases {
+            assert_eq!(Words::from(x).nearest(), integer, "{x}");
         }
     }
 }

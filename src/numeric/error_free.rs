@@ -42,13 +42,6 @@ pub(crate) fn two_sum<S: Split>(a: S, b: S) -> (S, S) {
     (sum, (a - a_rounded) + (b - b_rounded))
 }
 
-/// The sum of two numbers, the first of which is the larger, and its rounding error.
-#[inline]
-pub(super) fn quick_two_sum<S: Split>(large: S, small: S) -> (S, S) {
-    let sum = large + small;
-    (sum, small - (sum - large))
-}
-
 /// The product of two numbers and its rounding error, exactly: `a·b = product + error`.
 ///
 /// Dekker, *A floating-point technique for extending the available precision*, Numerische

@@ -10,13 +10,13 @@ mod error_free;
 mod fpu;
 pub(crate) mod integer;
 mod native;
+mod products;
 mod root;
 mod select;
 
-pub(crate) use double::{Double, add_product, dot3, product_difference};
+pub(crate) use double::Double;
 pub(crate) use error_free::two_sum;
-#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-pub(crate) use fpu::{cubic, leaf};
 pub use native::{Loggable, Native};
+pub(crate) use products::{add_product, dot3, product_difference};
 pub(crate) use root::sqrt as const_sqrt;
 pub(crate) use select::{SATURATES_TO_I32, product, steps, unsigned_product};

@@ -12,7 +12,6 @@ mod const_ops;
 mod fixed;
 mod float;
 mod number;
-mod polynomial;
 mod rebase;
 #[allow(clippy::module_inception)] // the trait that the folder is named after
 mod scalar;
@@ -23,9 +22,6 @@ pub(crate) use scalar::Float;
 pub use scalar::{FixedPoint, Formula, Roots, Scalar};
 
 pub(crate) use crate::numeric::{Double, integer, two_sum};
-#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-pub(crate) use crate::numeric::{cubic, leaf};
 pub(crate) use const_ops::{ConstOps, Stretch};
 pub(crate) use fixed::Fraction;
-pub(crate) use polynomial::{FloatFrame, Polynomial};
 pub(crate) use rebase::Rebased;

@@ -12,8 +12,8 @@
 //! Approximation Theory 6 (1972); the derivative is (4) of section X of his *A Practical Guide to
 //! Splines* (1978). All terms of a value are positive, so nothing cancels.
 
-use super::blend::Blend;
 use super::knots::{Knots, span};
+use super::scalar::SplineScalar;
 use crate::scalar::Scalar;
 
 /// The basis functions that are not zero on a span, or their derivatives.
@@ -38,7 +38,7 @@ impl<S: Scalar, const K: usize> NonZero<S, K> {
     }
 }
 
-impl<S: Blend, const K: usize, const N: usize> Knots<S, K, N> {
+impl<S: SplineScalar, const K: usize, const N: usize> Knots<S, K, N> {
     /// The basis function N_{index,k} at a parameter, over all knots and not only in the domain of
     /// a curve.
     ///
@@ -103,7 +103,12 @@ impl<S: Blend, const K: usize, const N: usize> Knots<S, K, N> {
 
 /// The functions span − K + 1 to span. Knots that don't exist count as the first or the last one,
 /// which has no influence on functions all of whose knots exist.
-fn triangle<S: Blend, const K: usize>(knots: &[S], span: usize, order: usize, t: S) -> [S; K] {
+fn triangle<S: SplineScalar, const K: usize>(
+    knots: &[S],
+    span: usize,
+    order: usize,
+    t: S,
+) -> [S; K] {
     if order >= K {
         return [S::ZERO; K];
     }

@@ -1,7 +1,7 @@
 //! Parameters of a curve, inside of its domain and outside.
 
-use super::EvaluateError;
-use super::blend::Blend;
+use super::error::EvaluateError;
+use super::scalar::SplineScalar;
 use crate::scalar::Scalar;
 
 /// What to do with a parameter outside of a curve's domain.
@@ -28,7 +28,7 @@ pub struct Domain<S: Scalar> {
     pub to: S,
 }
 
-impl<S: Blend> Domain<S> {
+impl<S: SplineScalar> Domain<S> {
     /// Whether a parameter is inside.
     #[must_use]
     #[inline]

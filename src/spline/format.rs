@@ -1,6 +1,10 @@
 //! What a log says about splines.
 
-use super::{Baked, Curve, Flatten, Lengths, Point, Sweep, Vertex};
+use super::baked::Baked;
+use super::curve::Curve;
+use super::curve::flatten::{Flatten, Lengths, Vertex};
+use super::point::Point;
+use super::sweep::Sweep;
 use defmt::{Format, Formatter, write};
 
 impl<P: Point + Format, const K: usize, const C: usize, const N: usize> Format for Curve<P, K, C, N>
@@ -32,13 +36,13 @@ where
 
 impl<P: Point, const K: usize> Format for Flatten<'_, P, K> {
     fn format(&self, f: Formatter<'_>) {
-        write!(f, "Flatten, at vertex {} of span {}", self.walk.next, self.walk.span);
+        write!(f, "Flatten, at vertex {} of span {}", self.vertices.next, self.vertices.span);
     }
 }
 
 impl<P: Point, const K: usize> Format for Lengths<'_, P, K> {
     fn format(&self, f: Formatter<'_>) {
-        write!(f, "Lengths, at vertex {} of span {}", self.walk.next, self.walk.span);
+        write!(f, "Lengths, at vertex {} of span {}", self.vertices.next, self.vertices.span);
     }
 }
 

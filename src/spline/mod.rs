@@ -31,38 +31,25 @@
 //! Every number type works; in fixed point, values are within 0.6 units in the last place of the
 //! exact ones.
 
-mod bake;
 mod baked;
 mod basis;
-mod blend;
-mod construct;
 mod curve;
 mod domain;
 mod error;
-mod fixed;
-mod flatten;
-mod float;
 #[cfg(feature = "defmt")]
 mod format;
-mod insert;
 mod knots;
-mod long;
 mod point;
-mod shape;
+mod scalar;
 mod sweep;
-mod ticks;
-mod tree;
-#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-mod unit;
-mod weights;
 
 pub use baked::Baked;
 pub use basis::NonZero;
-pub use blend::Blend;
 pub use curve::Curve;
+pub use curve::flatten::{Flatten, Lengths, Vertex};
 pub use domain::{Domain, Outside};
 pub use error::{CurveError, EvaluateError, FlattenError, InsertError, KnotError, SweepError};
-pub use flatten::{Flatten, Lengths, Vertex};
 pub use knots::Knots;
 pub use point::Point;
+pub use scalar::SplineScalar;
 pub use sweep::Sweep;

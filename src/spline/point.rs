@@ -1,13 +1,14 @@
 //! What control points can be: numbers and vectors.
 
-use super::blend::Blend;
+use super::error::EvaluateError;
+use super::scalar::SplineScalar;
 use crate::geom::Vec3;
 use core::fmt::Debug;
 
 /// A control point, and a point of a curve: a number, a [`Vec3`], or an array of coordinates.
 pub trait Point: Copy + Debug + PartialEq + sealed::Sealed {
     /// The type of the coordinates and of the curve's parameter.
-    type Scalar: Blend;
+    type Scalar: SplineScalar;
     /// Something for each coordinate.
     #[doc(hidden)]
     type Array<T: Copy + Debug + PartialEq + 'static>: Copy
@@ -37,11 +38,11 @@ mod sealed {
     pub trait Sealed {}
 }
 
-impl<S: Blend> sealed::Sealed for S {}
-impl<S: Blend> sealed::Sealed for Vec3<S> {}
-impl<S: Blend, const D: usize> sealed::Sealed for [S; D] {}
+impl<S: SplineScalar> sealed::Sealed for S {}
+impl<S: SplineScalar> sealed::Sealed for Vec3<S> {}
+impl<S: SplineScalar, const D: usize> sealed::Sealed for [S; D] {}
 
-impl<S: Blend> Point for S {
+impl<S: SplineScalar> Point for S {
     type Scalar = S;
     type Array<T: Copy + Debug + PartialEq + 'static> = [T; 1];
 
@@ -67,7 +68,7 @@ impl<S: Blend> Point for S {
     }
 }
 
-impl<S: Blend> Point for Vec3<S> {
+impl<S: SplineScalar> Point for Vec3<S> {
     type Scalar = S;
     type Array<T: Copy + Debug + PartialEq + 'static> = [T; 3];
 
@@ -93,7 +94,7 @@ impl<S: Blend> Point for Vec3<S> {
     }
 }
 
-impl<S: Blend, const D: usize> Point for [S; D] {
+impl<S: SplineScalar, const D: usize> Point for [S; D] {
     type Scalar = S;
     type Array<T: Copy + Debug + PartialEq + 'static> = [T; D];
 
@@ -120,7 +121,7 @@ impl<S: Blend, const D: usize> Point for [S; D] {
 }
 
 /// The coordinates of a point inside of an evaluation.
-pub(super) type Inner<P> = <P as Point>::Array<<<P as Point>::Scalar as Blend>::Inner>;
+pub(super) type Inner<P> = <P as Point>::Array<<<P as Point>::Scalar as SplineScalar>::Inner>;
 
 /// A point inside of an evaluation.
 #[inline]
@@ -140,11 +141,19 @@ pub(super) fn combine<P: Point>(
     point: &mut Inner<P>,
     other: Inner<P>,
     with: impl Fn(
-        <P::Scalar as Blend>::Inner,
-        <P::Scalar as Blend>::Inner,
-    ) -> <P::Scalar as Blend>::Inner,
+        <P::Scalar as SplineScalar>::Inner,
+        <P::Scalar as SplineScalar>::Inner,
+    ) -> <P::Scalar as SplineScalar>::Inner,
 ) {
     for (x, other) in point.as_mut().iter_mut().zip(other.as_ref()) {
         *x = with(*x, *other);
     }
+}
+
+/// A velocity as a vector of length 1.
+pub(super) fn direction<S: SplineScalar>(
+    velocity: Vec3<S>,
+) -> Result<Vec3<S::Unit>, EvaluateError> {
+    let direction = velocity.map(S::wide).normalized().ok_or(EvaluateError::Stationary)?;
+    Ok(direction.map(S::unit))
 }

@@ -2,7 +2,7 @@
 
 use crate::number::{Tested, between, coordinates, ray, rod};
 use scancsg::geom::Vec3;
-use scancsg::solid::{CylinderWall, Hit, RayCast, Solid, WallHit};
+use scancsg::solid::{CylinderWall, Hit, RayCast, WallHit};
 use scancsg::span::{Face, SpanList};
 
 const INSIDE: bool = true;

@@ -12,7 +12,7 @@ use scancsg::render::{
 };
 use scancsg::scalar::{I16F16, Scalar};
 use scancsg::solid::{
-    Cylinder, CylinderWall, Difference, Intersection, RayCast, Scan, Slab, Solid, Sphere, Union,
+    Cylinder, CylinderWall, Difference, Intersection, RayCast, Scan, Slab, Sphere, Union,
 };
 use scancsg::span::{Span, SpanList};
 

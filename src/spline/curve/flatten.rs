@@ -1,10 +1,11 @@
 //! Curves as polylines, and their lengths.
 
-use super::FlattenError;
-use super::blend::Blend;
-use super::curve::{Curve, on_span};
-use super::point::{Inner, Point, combine, inner, outer};
+use super::Curve;
+use super::triangle::on_span;
 use crate::scalar::Number;
+use crate::spline::error::FlattenError;
+use crate::spline::point::{Inner, Point, combine, inner, outer};
+use crate::spline::scalar::SplineScalar;
 
 /// A point of a curve, and where it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,31 +19,31 @@ pub struct Vertex<P: Point> {
 /// The vertices of a polyline that approximates a curve: see [`Curve::flatten`].
 #[derive(Debug, Clone)]
 pub struct Flatten<'a, P: Point, const K: usize> {
-    pub(super) walk: Walk<'a, P, K>,
+    pub(in crate::spline) vertices: Vertices<'a, P, K>,
 }
 
 /// The lengths of a curve from its beginning up to the vertices of a polyline: see
 /// [`Curve::lengths`].
 #[derive(Debug, Clone)]
 pub struct Lengths<'a, P: Point, const K: usize> {
-    pub(super) walk: Walk<'a, P, K>,
+    pub(in crate::spline) vertices: Vertices<'a, P, K>,
     last: Option<Inner<P>>,
-    length: <P::Scalar as Blend>::Inner,
+    length: <P::Scalar as SplineScalar>::Inner,
     /// What its sums lost by rounding.
-    rest: <P::Scalar as Blend>::Inner,
+    rest: <P::Scalar as SplineScalar>::Inner,
 }
 
 /// From vertex to vertex.
 #[derive(Debug, Clone)]
-pub(super) struct Walk<'a, P: Point, const K: usize> {
+pub(in crate::spline) struct Vertices<'a, P: Point, const K: usize> {
     knots: &'a [P::Scalar],
     points: &'a [P],
     tolerance: P::Scalar,
-    pub(super) span: usize,
+    pub(in crate::spline) span: usize,
     /// Of this span; 0 before it is known.
     segments: u32,
     /// The next vertex of this span.
-    pub(super) next: u32,
+    pub(in crate::spline) next: u32,
 }
 
 impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N> {
@@ -72,7 +73,7 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
     /// # Errors
     /// [`FlattenError::Tolerance`] unless the tolerance is positive and finite.
     pub fn flatten(&self, tolerance: P::Scalar) -> Result<Flatten<'_, P, K>, FlattenError> {
-        Ok(Flatten { walk: self.walk(tolerance)? })
+        Ok(Flatten { vertices: self.vertices(tolerance)? })
     }
 
     /// The length of the curve up to each vertex of [`flatten`](Self::flatten), measured along the
@@ -85,20 +86,20 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
     /// # Errors
     /// [`FlattenError::Tolerance`] unless the tolerance is positive and finite.
     pub fn lengths(&self, tolerance: P::Scalar) -> Result<Lengths<'_, P, K>, FlattenError> {
-        let walk = self.walk(tolerance)?;
-        Ok(Lengths { walk, last: None, length: P::Scalar::NOTHING, rest: P::Scalar::NOTHING })
+        let vertices = self.vertices(tolerance)?;
+        Ok(Lengths { vertices, last: None, length: P::Scalar::NOTHING, rest: P::Scalar::NOTHING })
     }
 
-    fn walk(&self, tolerance: P::Scalar) -> Result<Walk<'_, P, K>, FlattenError> {
+    fn vertices(&self, tolerance: P::Scalar) -> Result<Vertices<'_, P, K>, FlattenError> {
         if !(tolerance > P::Scalar::ZERO && tolerance.is_finite()) {
             return Err(FlattenError::Tolerance);
         }
         let (knots, points) = (self.knots.as_slice(), self.points());
-        Ok(Walk { knots, points, tolerance, span: K - 1, segments: 0, next: 0 })
+        Ok(Vertices { knots, points, tolerance, span: K - 1, segments: 0, next: 0 })
     }
 }
 
-impl<P: Point, const K: usize> Walk<'_, P, K> {
+impl<P: Point, const K: usize> Vertices<'_, P, K> {
     /// The next vertex and its parameter.
     fn step(&mut self) -> Option<(P::Scalar, Inner<P>)> {
         loop {
@@ -171,7 +172,7 @@ impl<P: Point, const K: usize> Iterator for Flatten<'_, P, K> {
     type Item = Vertex<P>;
 
     fn next(&mut self) -> Option<Vertex<P>> {
-        let (t, point) = self.walk.step()?;
+        let (t, point) = self.vertices.step()?;
         Some(Vertex { t, point: outer(point) })
     }
 }
@@ -181,7 +182,7 @@ impl<P: Point, const K: usize> Iterator for Lengths<'_, P, K> {
     type Item = (P::Scalar, P::Scalar);
 
     fn next(&mut self) -> Option<Self::Item> {
-        let (t, point) = self.walk.step()?;
+        let (t, point) = self.vertices.step()?;
         if let Some(mut chord) = self.last {
             combine::<P>(&mut chord, point, |from, to| P::Scalar::subtract(to, from));
             let chord = P::Scalar::add(P::Scalar::norm(chord.as_ref()), self.rest);

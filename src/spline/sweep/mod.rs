@@ -1,10 +1,12 @@
-//! Points at equal steps of the parameter, by additions of whole numbers.
+//! Points at equal steps of the parameter, by additions of integers.
 
-use super::SweepError;
+mod tick_basis;
+
 use super::curve::Curve;
+use super::error::SweepError;
 use super::point::Point;
-use super::ticks::Ticks;
 use crate::scalar::{FixedI32, Fraction};
+use tick_basis::TickBasis;
 
 /// A curve in fixed point, from point to point: one for every tick of a clock, whose knots are all
 /// at ticks.
@@ -46,9 +48,9 @@ pub struct Sweep<'a, P: Point, const K: usize> {
     /// Of the basis functions of the span.
     divisor: u32,
     /// The next span.
-    pub(super) span: usize,
+    pub(in crate::spline) span: usize,
     /// How many points are left before it begins.
-    pub(super) left: u32,
+    pub(in crate::spline) left: u32,
     /// Of each coordinate, the value and its differences.
     differences: P::Array<[Quotient; K]>,
 }
@@ -150,7 +152,8 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
         let different = if is_given { sweep.spans() } else { 1 };
         for (behind, ahead) in (0..different).map(|span| sweep.knots(span)) {
             let is_empty = is_given && ahead.first() == Some(&0);
-            let ticks = Ticks::new(behind, ahead).filter(|ticks| ticks.count() as usize >= K - 1);
+            let ticks =
+                TickBasis::new(behind, ahead).filter(|ticks| ticks.count() as usize >= K - 1);
             if ticks.is_none() && !is_empty {
                 return Err(SweepError::Ticks);
             }
@@ -207,7 +210,7 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
         let (points, span) = (self.points, self.span);
         self.span += 1;
         let (behind, ahead) = self.knots(span);
-        let Some(ticks) = Ticks::new(behind, ahead) else { return };
+        let Some(ticks) = TickBasis::new(behind, ahead) else { return };
         (self.left, self.divisor) = (ticks.count(), ticks.divisor);
         let divisor = i64::from(self.divisor);
         for tick in 0..K {

@@ -1,11 +1,11 @@
 //! Insertion of knots.
 
-use super::InsertError;
-use super::curve::Curve;
-use super::domain::Outside;
-use super::knots::Knots;
-use super::point::{Point, combine, inner, outer};
-use super::{EvaluateError, blend::Blend};
+use super::Curve;
+use crate::spline::domain::Outside;
+use crate::spline::error::{EvaluateError, InsertError};
+use crate::spline::knots::Knots;
+use crate::spline::point::{Point, combine, inner, outer};
+use crate::spline::scalar::SplineScalar;
 
 impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N> {
     /// Inserts a knot and with it a control point; the curve stays as it is, but for the rounding
@@ -75,7 +75,8 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
             *new = before.and_then(|i| self.knots.knots.get(i)).copied().unwrap_or(knot);
         }
         let length = self.knots.length + 1;
-        self.replace(Knots { knots: new_knots, length }, new_points);
+        self.knots = Knots { knots: new_knots, length };
+        self.points = new_points;
         Ok(())
     }
 }

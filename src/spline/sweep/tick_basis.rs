@@ -1,7 +1,7 @@
-//! Basis functions at the ticks of a clock, in whole numbers.
+//! Basis functions at the ticks of a clock, in integers.
 
 /// A span that begins and ends at a tick, like all others that its basis functions cover.
-pub(super) struct Ticks<const K: usize> {
+pub(super) struct TickBasis<const K: usize> {
     /// How many ticks the knots are behind the beginning, t_{j−k+1} first and t_j last.
     behind: [u32; K],
     /// How many ticks the knots are ahead of it, from t_{j+1} on.
@@ -12,7 +12,7 @@ pub(super) struct Ticks<const K: usize> {
     pub(super) divisor: u32,
 }
 
-impl<const K: usize> Ticks<K> {
+impl<const K: usize> TickBasis<K> {
     /// `None` for a span without a length, or if the divisor exceeds 2³¹.
     pub(super) fn new(behind: [u32; K], ahead: [u32; K]) -> Option<Self> {
         let mut factors = [[0; K]; K];

@@ -1,6 +1,6 @@
 //! Splines in fixed point: whole numbers with guard bits, rounded once.
 
-use super::blend::{Blend, falling};
+use super::{SplineScalar, falling};
 use crate::scalar::integer::{divide, narrow, shift_right};
 use crate::scalar::{FixedI32, Fraction};
 use core::fmt::Debug;
@@ -50,22 +50,22 @@ impl Mixed {
     }
 }
 
-/// The local parameter of a baked span is `(t·2^shift − origin)/2³²`.
+/// The local parameter of a baked piece is `(t·2^shift − origin)/2³²`.
 #[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FixedFrame {
+pub struct FixedMap {
     /// Where the span starts.
-    pub(super) start: i32,
+    pub(in crate::spline) start: i32,
     /// The middle of the span, modulo 2³².
-    pub(super) origin: u32,
-    pub(super) shift: u8,
+    pub(in crate::spline) origin: u32,
+    pub(in crate::spline) shift: u8,
     /// Digits of the coefficients beyond those of the type.
-    pub(super) guard: u8,
+    pub(in crate::spline) guard: u8,
 }
 
-impl FixedFrame {
+impl FixedMap {
     /// Half of the span, times 2^shift.
-    pub(super) const fn half(self) -> u32 {
+    pub(in crate::spline) const fn half(self) -> u32 {
         self.origin.wrapping_sub(self.start.cast_unsigned().wrapping_shl(self.shift as u32))
     }
 }
@@ -86,11 +86,11 @@ fn held(x: i128) -> i64 {
     x.clamp(i64::MIN.into(), i64::MAX.into()) as i64
 }
 
-impl<F: Fraction> Blend for FixedI32<F> {
+impl<F: Fraction> SplineScalar for FixedI32<F> {
     type Inner = i64;
     type Weight = i64;
     type Ratio = Mixed;
-    type Frame = FixedFrame;
+    type LocalMap = FixedMap;
     type Pieces<T: Copy + Debug + PartialEq, const SPANS: usize> = [[T; 1]; SPANS];
     type Coefficient = i32;
     type Key = u32;
@@ -232,9 +232,9 @@ impl<F: Fraction> Blend for FixedI32<F> {
     }
 
     #[inline]
-    fn local(t: Self, frame: &FixedFrame) -> i32 {
-        let scaled = t.to_bits().cast_unsigned().wrapping_shl(frame.shift.into());
-        scaled.wrapping_sub(frame.origin).cast_signed()
+    fn local(t: Self, map: &FixedMap) -> i32 {
+        let scaled = t.to_bits().cast_unsigned().wrapping_shl(map.shift.into());
+        scaled.wrapping_sub(map.origin).cast_signed()
     }
 
     #[inline]
@@ -244,9 +244,9 @@ impl<F: Fraction> Blend for FixedI32<F> {
     }
 
     #[inline]
-    fn baked(sum: i32, base: i32, frame: &FixedFrame) -> Self {
+    fn baked(sum: i32, base: i32, map: &FixedMap) -> Self {
         // Half a unit is in the sum.
-        Self::from_bits(base.saturating_add(sum >> (frame.guard & 31)))
+        Self::from_bits(base.saturating_add(sum >> (map.guard & 31)))
     }
 
     fn extended(
@@ -254,11 +254,11 @@ impl<F: Fraction> Blend for FixedI32<F> {
         base: i32,
         order: usize,
         t: Self,
-        frame: &FixedFrame,
+        map: &FixedMap,
     ) -> Option<Self> {
-        let shift = u32::from(frame.shift);
-        let offset = i128::from(width(Self::from_bits(frame.start), t)) << shift;
-        let local = offset - i128::from(frame.half());
+        let shift = u32::from(map.shift);
+        let offset = i128::from(width(Self::from_bits(map.start), t)) << shift;
+        let local = offset - i128::from(map.half());
         let sum = terms.fold(0, |sum: i128, (power, c)| {
             // What is held in here is far beyond the range at the end.
             let product = sum.saturating_mul(local) >> 32;
@@ -266,12 +266,12 @@ impl<F: Fraction> Blend for FixedI32<F> {
             sum.clamp(-1 << 61, 1 << 61)
         });
         // 2^(shift − 32) is the scale of t, in units of the type.
-        let digits = order as i32 * (32 - F::BITS as i32 - shift as i32) + i32::from(frame.guard);
+        let digits = order as i32 * (32 - F::BITS as i32 - shift as i32) + i32::from(map.guard);
         let sum = sum as i64;
         if order > 0 {
             return exactly(shift_right(sum, digits));
         }
         // Half a unit is in the sum.
-        exactly(i64::from(base) + (sum >> (frame.guard & 31)))
+        exactly(i64::from(base) + (sum >> (map.guard & 31)))
     }
 }

@@ -1,8 +1,11 @@
 //! The arithmetic of splines: what number types do in ways of their own.
 
-use super::tree;
-use super::weights::Weigh;
-use crate::scalar::{Polynomial, Scalar};
+pub(super) mod constant;
+pub(super) mod fixed;
+pub(super) mod float;
+pub(super) mod order;
+
+use crate::scalar::Scalar;
 use core::fmt::Debug;
 
 /// A number type that splines can be made of: every [`Scalar`].
@@ -10,7 +13,7 @@ use core::fmt::Debug;
 /// Inside of an evaluation, numbers are of the type `Inner`: in floating point the type itself; in
 /// fixed point 64 bits, of which 28 are guard bits. So a value is rounded once. Basis functions are
 /// computed in twice the working precision: their errors are relative, and nothing waits for them.
-pub trait Blend: Scalar + Weigh {
+pub trait SplineScalar: Scalar {
     /// A number inside of an evaluation.
     #[doc(hidden)]
     type Inner: Copy + Debug + PartialEq + PartialOrd + 'static;
@@ -20,9 +23,9 @@ pub trait Blend: Scalar + Weigh {
     /// Where a parameter is between two knots.
     #[doc(hidden)]
     type Ratio: Copy;
-    /// Where a span of a baked curve is, and how its polynomials are scaled.
+    /// How a parameter becomes the local one of a piece of a baked curve.
     #[doc(hidden)]
-    type Frame: Copy + Debug + PartialEq;
+    type LocalMap: Copy + Debug + PartialEq;
     /// Something for every polynomial of a baked curve: in floating point a span has three of them.
     #[doc(hidden)]
     type Pieces<T: Copy + Debug + PartialEq, const SPANS: usize>: Copy + Debug + PartialEq;
@@ -73,6 +76,14 @@ pub trait Blend: Scalar + Weigh {
     /// Where t is between `low` and `high`, which is larger.
     #[doc(hidden)]
     fn ratio(t: Self, low: Self, high: Self) -> Self::Ratio;
+
+    /// As [`ratio`](Self::ratio), for the many blends of a high order: in floating point with what
+    /// rounding leaves of it.
+    #[doc(hidden)]
+    #[inline]
+    fn fine_ratio(t: Self, low: Self, high: Self) -> Self::Ratio {
+        Self::ratio(t, low, high)
+    }
 
     /// `a + (b − a)·ratio`; exactly a or b where t was `low` or `high`.
     #[doc(hidden)]
@@ -137,20 +148,13 @@ pub trait Blend: Scalar + Weigh {
         pieces: &Self::Pieces<T, SPANS>,
     ) -> &[T];
 
-    /// As [`tree::find`].
-    #[doc(hidden)]
-    #[inline(always)]
-    fn find<'a, T>(nodes: &[Self::Key], elements: &'a [T], key: &Self::Key) -> Option<&'a T> {
-        tree::find(nodes, elements, key)
-    }
-
     /// The smaller one of t and the last number before `end`.
     #[doc(hidden)]
     fn before(t: Self, end: Self) -> Self;
 
     /// Where a parameter is in a baked span: from −1 to 1, in fixed point from −1/2 to 1/2 of 2³².
     #[doc(hidden)]
-    fn local(t: Self, frame: &Self::Frame) -> Self::Coefficient;
+    fn local(t: Self, map: &Self::LocalMap) -> Self::Coefficient;
 
     /// `sum·local + coefficient`.
     #[doc(hidden)]
@@ -171,22 +175,9 @@ pub trait Blend: Scalar + Weigh {
         Self::horner(sum, local, c)
     }
 
-    /// Horner's rule for all coordinates of a baked curve. There is a coefficient for an order above 0.
-    #[doc(hidden)]
-    #[inline]
-    fn sums<Row, const K: usize>(
-        polynomial: &Polynomial<Self::Frame, Row, K>,
-        t: Self,
-    ) -> Option<Row>
-    where
-        Row: Copy + AsRef<[Self::Coefficient]> + AsMut<[Self::Coefficient]> + 'static,
-    {
-        horner(polynomial, t)
-    }
-
     /// The value of a baked polynomial.
     #[doc(hidden)]
-    fn baked(sum: Self::Coefficient, base: Self::Base, frame: &Self::Frame) -> Self;
+    fn baked(sum: Self::Coefficient, base: Self::Base, map: &Self::LocalMap) -> Self;
 
     /// A derivative of a baked polynomial at any parameter, from its coefficients and their
     /// powers, the highest first. `None` out of the type's range.
@@ -196,7 +187,7 @@ pub trait Blend: Scalar + Weigh {
         base: Self::Base,
         order: usize,
         t: Self,
-        frame: &Self::Frame,
+        map: &Self::LocalMap,
     ) -> Option<Self>;
 }
 
@@ -204,28 +195,4 @@ pub trait Blend: Scalar + Weigh {
 #[inline]
 pub(super) fn falling(i: usize, order: usize) -> i64 {
     (0..order).fold(1, |product, j| product * (i as i64 - j as i64))
-}
-
-/// The lowest order whose rounding errors take more than Horner's rule to be small.
-const HIGH: usize = 6;
-
-/// As [`Blend::sums`].
-#[inline]
-pub(super) fn horner<S: Blend, Row, const K: usize>(
-    polynomial: &Polynomial<S::Frame, Row, K>,
-    t: S,
-) -> Option<Row>
-where
-    Row: Copy + AsRef<[S::Coefficient]> + AsMut<[S::Coefficient]>,
-{
-    let local = S::local(t, &polynomial.frame);
-    let (first, rest) = polynomial.coefficients.split_first()?;
-    let mut sums = *first;
-    for (i, coefficients) in rest.iter().enumerate() {
-        let step = if K >= HIGH && i + 2 == K { S::last } else { S::horner };
-        for (sum, c) in sums.as_mut().iter_mut().zip(coefficients.as_ref()) {
-            *sum = step(*sum, local, *c);
-        }
-    }
-    Some(sums)
 }

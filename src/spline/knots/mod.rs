@@ -1,7 +1,9 @@
 //! Knot sequences.
 
-use super::blend::Blend;
+mod constructors;
+
 use super::domain::Domain;
+use super::scalar::SplineScalar;
 use crate::scalar::Scalar;
 
 /// A knot sequence with room for `N` knots, of splines of the order `K`: of degree `K − 1`.
@@ -22,8 +24,8 @@ use crate::scalar::Scalar;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Knots<S: Scalar, const K: usize, const N: usize> {
     /// The knots, and behind them the last one again.
-    pub(super) knots: [S; N],
-    pub(super) length: usize,
+    pub(in crate::spline) knots: [S; N],
+    pub(in crate::spline) length: usize,
 }
 
 impl<S: Scalar, const K: usize, const N: usize> Knots<S, K, N> {
@@ -57,7 +59,7 @@ impl<S: Scalar, const K: usize, const N: usize> PartialEq for Knots<S, K, N> {
     }
 }
 
-impl<S: Blend, const K: usize, const N: usize> Knots<S, K, N> {
+impl<S: SplineScalar, const K: usize, const N: usize> Knots<S, K, N> {
     /// From t_{k−1} to t_n, both included: where K basis functions add up to 1. `None` if there
     /// are fewer than K basis functions or if it has no length.
     #[must_use]
@@ -76,29 +78,30 @@ impl<S: Blend, const K: usize, const N: usize> Knots<S, K, N> {
     }
 }
 
-impl<S: Blend, const K: usize, const N: usize> Knots<S, K, N> {
-    /// The index j of the span of the domain that t is in or nearest to, of those that aren't
-    /// empty.
+impl<S: SplineScalar, const K: usize, const N: usize> Knots<S, K, N> {
+    /// The index j of the span of a domain up to `end` that t is in or nearest to, of those that
+    /// aren't empty.
     #[inline]
-    pub(super) fn span_of_domain(&self, t: S) -> usize {
-        let Some(&end) = self.knots.get(self.points()) else { return K - 1 };
-        // No later than the last number before the end: spans that begin there are empty, or
-        // behind it.
-        let t = S::before(t, end);
+    pub(in crate::spline) fn span_of_domain(&self, t: S, end: S) -> usize {
         // Between the domain's ends t_{k−1} and t_n, and what is not used.
         let inside = self.knots.get(K..N.saturating_sub(K)).unwrap_or_default();
-        // A few comparisons without a jump are faster than a search.
-        let before = if N - K <= K + 16 {
-            inside.iter().map(|knot| usize::from(*knot <= t)).sum()
+        let before = if t < end {
+            // A few comparisons without a jump are faster than a search.
+            if N - K <= K + 16 {
+                inside.iter().map(|knot| usize::from(*knot <= t)).sum()
+            } else {
+                inside.partition_point(|knot| *knot <= t)
+            }
         } else {
-            inside.partition_point(|knot| *knot <= t)
+            // Spans that begin at the end are empty, or behind it.
+            inside.partition_point(|knot| *knot < end)
         };
         K - 1 + before
     }
 }
 
 /// As [`Knots::span`].
-pub(super) fn span<S: Blend>(knots: &[S], t: S) -> Option<usize> {
+pub(in crate::spline) fn span<S: SplineScalar>(knots: &[S], t: S) -> Option<usize> {
     let (first, last) = (*knots.first()?, *knots.last()?);
     if !(first <= t && t <= last) {
         return None;

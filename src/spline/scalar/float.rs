@@ -1,0 +1,330 @@
+//! Splines in floating point.
+
+use super::order::{order_f32, order_f64};
+use super::{SplineScalar, falling};
+use crate::scalar::{Double, Float, Scalar};
+use core::fmt::Debug;
+use core::hint::select_unpredictable;
+
+/// What splines need of `f32` and `f64`, each in a way of its own.
+pub trait FloatSpline: Float {
+    /// An integer of the same width.
+    type Bits: Copy + Debug + Ord;
+
+    /// A quarter of the largest number.
+    const QUARTER: Self;
+
+    /// The remainder of a division, exactly; it has the sign of `self`.
+    #[must_use]
+    fn remainder(self, divisor: Self) -> Self;
+
+    /// The nearest number.
+    fn from_i64(x: i64) -> Self;
+
+    /// As [`SplineScalar::after`].
+    fn keys_after(self, start: Self::Bits) -> Self::Bits;
+
+    /// As [`SplineScalar::from_key`].
+    fn from_bits_in_order(bits: Self::Bits) -> Self;
+}
+
+macro_rules! floats {
+    ($($Float:ident $Bits:ident $fmod:path, $order:path;)+) => {$(
+        impl FloatSpline for $Float {
+            type Bits = $Bits;
+
+            const QUARTER: Self = Self::MAX / 4.0;
+
+            #[inline]
+            fn remainder(self, divisor: Self) -> Self {
+                $fmod(self, divisor)
+            }
+
+            #[inline]
+            fn from_i64(x: i64) -> Self {
+                x as Self
+            }
+
+            #[inline]
+            fn keys_after(self, start: $Bits) -> $Bits {
+                $order(self).cast_unsigned().wrapping_sub(start)
+            }
+
+            #[inline]
+            fn from_bits_in_order(bits: $Bits) -> Self {
+                Self::from_bits($order(Self::from_bits(bits)).cast_unsigned())
+            }
+        }
+    )+};
+}
+
+floats! {
+    f32 u32 libm::fmodf, order_f32;
+    f64 u64 libm::fmod, order_f64;
+}
+
+/// Where a parameter is between two knots: measured from the nearer one.
+///
+/// So the error of `anchor + (b − a)·offset` is small against the difference of a and b, and both
+/// ends are exact.
+#[doc(hidden)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Nearer<S> {
+    from_high: bool,
+    /// From −1/2 to 1/2 for parameters between the knots.
+    offset: S,
+    /// What rounding has left of it, where that is known.
+    rest: Option<S>,
+}
+
+/// The value of a basis function, in twice the working precision.
+#[doc(hidden)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Weight<S>(Double<S>);
+
+/// The local parameter of a baked piece is `t·scale + shift`.
+#[doc(hidden)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FloatMap<S> {
+    /// A power of two, so that the product is exact.
+    pub(in crate::spline) scale: S,
+    pub(in crate::spline) shift: S,
+}
+
+impl<S: Float> Weight<S> {
+    /// `self·part/whole`; 0 for a whole of 0.
+    #[inline(never)] // inlined, it makes five times the code
+    fn share(self, part: Double<S>, whole: Double<S>) -> Self {
+        Self(self.0.times(quotient(part, whole)))
+    }
+
+    /// `self·degree/width`, with a size up to `most`; 0 for a width of 0.
+    #[inline(never)]
+    fn climb(self, degree: S, width: Double<S>, most: S) -> Self {
+        let within = |x: S| Self(Double::from(x.min(most).max(-most)));
+        // A product's error may overflow before the product does.
+        if self.0.high.abs() > most * S::EPSILON {
+            let is_empty = width.high == S::ZERO;
+            return within(if is_empty { S::ZERO } else { self.0.high / width.high * degree });
+        }
+        let product = self.0.times(Double::from(degree));
+        let Double { high, low } = quotient(product, width);
+        // Outside of the range in which the product of quotient and divisor has an exact error.
+        if high.abs() > S::MAX_COORDINATE { within(high) } else { Self(Double { high, low }) }
+    }
+}
+
+/// `a/b`, with a relative error of a few units of the last place of `low`; 0 for a divisor of 0.
+fn quotient<S: Float>(a: Double<S>, b: Double<S>) -> Double<S> {
+    if b.high == S::ZERO {
+        return Double::from(S::ZERO);
+    }
+    let high = a.high / b.high;
+    if high.abs() > S::MAX_COORDINATE {
+        return Double::from(high);
+    }
+    let back = Double::product(high, b.high);
+    let rest = ((a.high - back.high) - back.low) + (a.low - high * b.low);
+    Double::sum(high, rest / b.high)
+}
+
+impl<S: FloatSpline> SplineScalar for S {
+    type Inner = Self;
+    type Weight = Weight<Self>;
+    type Ratio = Nearer<Self>;
+    type LocalMap = FloatMap<Self>;
+    type Pieces<T: Copy + Debug + PartialEq, const SPANS: usize> = [[T; 3]; SPANS];
+    type Coefficient = Self;
+    type Key = S::Bits;
+    type Base = ();
+
+    const LARGEST: Self = Self::MAX_COORDINATE;
+    const NOTHING: Self = S::ZERO;
+    const FULL: Weight<Self> = Weight(Double { high: S::ONE, low: S::ZERO });
+    const NONE: Weight<Self> = Weight(Double { high: S::ZERO, low: S::ZERO });
+
+    #[inline]
+    fn inner(self) -> Self {
+        self
+    }
+
+    #[inline]
+    fn outer(inner: Self) -> Self {
+        inner
+    }
+
+    #[inline]
+    fn is_within(inner: Self) -> bool {
+        inner.is_finite()
+    }
+
+    #[inline]
+    fn checked(inner: Self) -> Option<Self> {
+        inner.is_finite().then_some(inner)
+    }
+
+    #[inline]
+    fn add(a: Self, b: Self) -> Self {
+        a + b
+    }
+
+    #[inline]
+    fn subtract(a: Self, b: Self) -> Self {
+        a - b
+    }
+
+    #[inline]
+    fn ratio(t: Self, low: Self, high: Self) -> Nearer<Self> {
+        let (above, below) = (t - low, t - high);
+        let from_high = -below < above;
+        let near = select_unpredictable(from_high, below, above);
+        Nearer { from_high, offset: near / (high - low), rest: None }
+    }
+
+    #[inline]
+    fn fine_ratio(t: Self, low: Self, high: Self) -> Nearer<Self> {
+        let from_high = high - t < t - low;
+        let near = select_unpredictable(from_high, high, low);
+        // So that no product's error is too small to be a number.
+        let scale = (high - low).normalizing_power();
+        let [part, width] = [Double::sum(t, -near), Double::sum(high, -low)]
+            .map(|Double { high, low }| Double { high: high * scale, low: low * scale });
+        let offset = quotient(part, width);
+        Nearer { from_high, offset: offset.high, rest: Some(offset.low) }
+    }
+
+    #[inline]
+    fn blend(a: Self, b: Self, ratio: Nearer<Self>) -> Self {
+        let anchor = select_unpredictable(ratio.from_high, b, a);
+        let product = (b - a) * ratio.offset;
+        anchor + ratio.rest.map_or(product, |rest| product + (b - a) * rest)
+    }
+
+    fn rise(weight: Weight<Self>, t: Self, low: Self, high: Self) -> Weight<Self> {
+        weight.share(Double::sum(t, -low), Double::sum(high, -low))
+    }
+
+    fn fall(weight: Weight<Self>, t: Self, low: Self, high: Self) -> Weight<Self> {
+        weight.share(Double::sum(high, -t), Double::sum(high, -low))
+    }
+
+    fn climb(weight: Weight<Self>, degree: u16, low: Self, high: Self) -> Weight<Self> {
+        weight.climb(Self::from_int(degree.into()), Double::sum(high, -low), Self::QUARTER)
+    }
+
+    fn add_weights(a: Weight<Self>, b: Weight<Self>) -> Weight<Self> {
+        Weight(a.0.plus(b.0))
+    }
+
+    #[inline]
+    fn negate_weight(weight: Weight<Self>) -> Weight<Self> {
+        Weight(Double { high: -weight.0.high, low: -weight.0.low })
+    }
+
+    #[inline]
+    fn from_weight(weight: Weight<Self>) -> Self {
+        weight.0.round()
+    }
+
+    #[inline]
+    fn slope(a: Self, b: Self, degree: u16, low: Self, high: Self) -> Self {
+        // The product first: it is exact for the small whole numbers that most terms are.
+        if low < high { (b - a) * Self::from_int(degree.into()) / (high - low) } else { S::ZERO }
+    }
+
+    #[inline]
+    fn share(x: Self, [low, high]: [Self; 2], outside: [Self; 2]) -> Self {
+        x * ((high - low) / (outside[1] - outside[0]))
+    }
+
+    fn wrap(t: Self, from: Self, to: Self) -> Self {
+        let period = to - from;
+        // The remainder is exact and has the sign of t − from.
+        let rest = (t - from).remainder(period);
+        let wrapped = from + if rest < S::ZERO { rest + period } else { rest };
+        wrapped.min(to).max(from)
+    }
+
+    #[inline]
+    fn between(from: Self, to: Self, index: u32, count: u32) -> Self {
+        let t = from + (to - from) * (Self::from_i64(index.into()) / Self::from_i64(count.into()));
+        t.min(to)
+    }
+
+    fn norm(coordinates: &[Self]) -> Self {
+        // Squares of coordinates of up to MAX_COORDINATE don't overflow in `f32` only just.
+        let largest = coordinates.iter().fold(S::ZERO, |most, x| x.abs().max(most));
+        let scale = largest.normalizing_power();
+        let sum = coordinates.iter().fold(S::ZERO, |sum, x| {
+            let x = *x * scale;
+            sum + x * x
+        });
+        sum.sqrt() / scale
+    }
+
+    fn segments(norm: Self, factor: u16, tolerance: Self) -> u32 {
+        let exact = (norm / tolerance * (Self::from_int(factor.into()) / Self::from_int(8))).sqrt();
+        // Large quotients stay at the largest integer.
+        let integer = exact.floor_to_i32();
+        let more = i32::from(exact > Self::from_i64(integer.into()));
+        integer.saturating_add(more).max(1).cast_unsigned()
+    }
+
+    #[inline]
+    fn after(self, start: S::Bits) -> S::Bits {
+        self.keys_after(start)
+    }
+
+    #[inline]
+    fn from_key(key: S::Bits) -> Self {
+        Self::from_bits_in_order(key)
+    }
+
+    #[inline]
+    fn pieces<T: Copy + Debug + PartialEq, const SPANS: usize>(
+        pieces: &Self::Pieces<T, SPANS>,
+    ) -> &[T] {
+        pieces.as_flattened()
+    }
+
+    #[inline]
+    fn before(t: Self, end: Self) -> Self {
+        t.min(end.next_below())
+    }
+
+    #[inline]
+    fn local(t: Self, map: &Self::LocalMap) -> Self {
+        t * map.scale + map.shift
+    }
+
+    #[inline]
+    fn horner(sum: Self, local: Self, c: Self) -> Self {
+        sum * local + c
+    }
+
+    #[inline]
+    fn last(sum: Self, local: Self, c: Self) -> Self {
+        Float::add_product(c, sum, local)
+    }
+
+    #[inline]
+    fn baked(sum: Self, (): (), _: &Self::LocalMap) -> Self {
+        sum
+    }
+
+    fn extended(
+        terms: impl Iterator<Item = (usize, Self)>,
+        (): (),
+        order: usize,
+        t: Self,
+        map: &Self::LocalMap,
+    ) -> Option<Self> {
+        let local = Self::local(t, map);
+        let sum = terms.fold(S::ZERO, |sum, (power, c)| {
+            sum * local + c * Self::from_i64(falling(power, order))
+        });
+        Self::checked((0..order).fold(sum, |sum, _| sum * map.scale))
+    }
+}
+
+const _: () = assert!(<f32 as Scalar>::MAX_COORDINATE < 1e18);
