@@ -16,14 +16,13 @@
 
 #![allow(clippy::unwrap_used, clippy::result_large_err)] // Err is no error here
 
-mod number;
-
 use dashu_int::IBig;
-use number::{Tested, ray, spans};
 use proptest::prelude::*;
 use scancsg::scalar::I16F16;
 use scancsg::solid::CylinderWall;
-use std::cmp::Ordering;
+use testkit::limits;
+use testkit::number::{self, Tested, ray, spans};
+use testkit::surd::{Surd, square};
 
 type V = [i64; 3];
 
@@ -33,41 +32,6 @@ fn dot(a: V, b: V) -> i64 {
 
 fn cross(a: V, b: V) -> V {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn square(x: &IBig) -> IBig {
-    x * x
-}
-
-/// The parameter (p + s·√q)/d with d > 0, q ≥ 0 and s = −1, 0 or 1.
-#[derive(Debug, Clone)]
-struct Surd {
-    p: IBig,
-    s: i64,
-    q: IBig,
-    d: IBig,
-}
-
-impl Surd {
-    fn ratio(p: IBig, d: IBig) -> Self {
-        let (p, d) = if d < IBig::ZERO { (-p, -d) } else { (p, d) };
-        Self { p, s: 0, q: IBig::ZERO, d }
-    }
-
-    /// A floating-point number below 2²⁰, cut off below 2⁻⁹⁰.
-    fn float(x: f64) -> Self {
-        Self::ratio(IBig::from((x * 2f64.powi(90)) as i128), IBig::ONE << 90)
-    }
-
-    /// Against a ratio: (P + s√q)/D ⋛ p/d ⇔ s·√q·d ⋛ p·D − P·d, and squares keep the order of
-    /// absolute values.
-    fn compare(&self, ratio: &Self) -> Ordering {
-        assert_eq!(ratio.s, 0);
-        let right = &ratio.p * &self.d - &self.p * &ratio.d;
-        let left_squared = IBig::from(self.s) * &self.q * square(&ratio.d);
-        let right_squared = if right < IBig::ZERO { -square(&right) } else { square(&right) };
-        left_squared.cmp(&right_squared)
-    }
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -128,13 +92,13 @@ fn span(scene: &Scene, sign: i64, [of_wall, of_caps]: [u32; 2]) -> Option<[Surd;
     let [enter, exit] = match (wall, caps) {
         (Err(wall), Err([low, high])) => {
             let [mut enter, mut exit] = wall;
-            if exit.compare(&low).is_le() || enter.compare(&high).is_ge() {
+            if exit.order(&low).is_le() || enter.order(&high).is_ge() {
                 return None;
             }
-            if enter.compare(&low).is_lt() {
+            if enter.order(&low).is_lt() {
                 enter = low;
             }
-            if exit.compare(&high).is_gt() {
+            if exit.order(&high).is_gt() {
                 exit = high;
             }
             [enter, exit]
@@ -157,9 +121,9 @@ fn tube(scene: &Scene, growth: Growth, of_caps: Growth) -> Option<Surd> {
     roots.into_iter().find(|root| {
         let between = match &caps {
             Ok(inside) => *inside,
-            Err([low, high]) => root.compare(low).is_ge() && root.compare(high).is_le(),
+            Err([low, high]) => root.order(low).is_ge() && root.order(high).is_le(),
         };
-        between && root.compare(&zero).is_ge()
+        between && root.order(&zero).is_ge()
     })
 }
 
@@ -195,15 +159,15 @@ trait Exact: Tested {
 }
 
 impl Exact for f32 {
-    const EPSILON: [u32; 2] = [17; 2];
+    const EPSILON: [u32; 2] = limits::GROWN_F32;
 }
 
 impl Exact for f64 {
-    const EPSILON: [u32; 2] = [46; 2];
+    const EPSILON: [u32; 2] = limits::GROWN_F64;
 }
 
 impl Exact for I16F16 {
-    const EPSILON: [u32; 2] = [22, 16];
+    const EPSILON: [u32; 2] = limits::GROWN_I16F16;
 }
 
 fn numbers(v: V) -> [f64; 3] {
@@ -227,11 +191,11 @@ fn check<S: Exact>(scene: &Scene) -> Result<(), TestCaseError> {
         (Some(outer), Some(inner)) => {
             prop_assert!(!got.is_empty(), "missed");
             let [from, to] = rounded_to::<S>(got[0].0);
-            prop_assert!(outer[0].compare(&to).is_le(), "enters early: {:?}", got);
-            prop_assert!(inner[0].compare(&from).is_ge(), "enters late: {:?}", got);
+            prop_assert!(outer[0].order(&to).is_le(), "enters early: {:?}", got);
+            prop_assert!(inner[0].order(&from).is_ge(), "enters late: {:?}", got);
             let [from, to] = rounded_to::<S>(got[0].1);
-            prop_assert!(inner[1].compare(&to).is_le(), "exits early: {:?}", got);
-            prop_assert!(outer[1].compare(&from).is_ge(), "exits late: {:?}", got);
+            prop_assert!(inner[1].order(&to).is_le(), "exits early: {:?}", got);
+            prop_assert!(outer[1].order(&from).is_ge(), "exits late: {:?}", got);
         }
         _ => {}
     }
@@ -253,8 +217,8 @@ fn check<S: Exact>(scene: &Scene) -> Result<(), TestCaseError> {
             [1, -1].map(|sign| tube(scene, (sign, S::EPSILON[0]), (0, 0)).unwrap());
         let first = roots(-1) == 9;
         let [early, late] = if first { [of_grown, of_shrunk] } else { [of_shrunk, of_grown] };
-        prop_assert!(early.compare(&to).is_le(), "early: {:?}", got);
-        prop_assert!(late.compare(&from).is_ge(), "late: {:?}", got);
+        prop_assert!(early.order(&to).is_le(), "early: {:?}", got);
+        prop_assert!(late.order(&from).is_ge(), "late: {:?}", got);
     }
     Ok(())
 }

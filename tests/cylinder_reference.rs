@@ -6,42 +6,13 @@
 use scancsg::geom::{Ray, RayError, vec3};
 use scancsg::solid::{Cylinder, CylinderWall, RayCast};
 use scancsg::span::{Face, SpanList};
+use testkit::cylinder_table::{self, Row};
+use testkit::limits;
+use testkit::ulp::{percentiles, ulps};
 
-/// A row of `reference/cylinder.csv`.
-struct Row {
-    set: &'static str,
-    /// ox oy oz dx dy dz r h.
-    input: [f32; 8],
-    valid: bool,
-    /// Of the whole line.
-    span: Option<[f64; 2]>,
-    tube_t: Option<f64>,
-    /// Whether the ray hits, where that does not hang by a hair.
-    capped: Option<bool>,
-    tube: Option<bool>,
-}
-
+/// All rows of `reference/cylinder.csv`.
 fn rows() -> Vec<Row> {
-    let parse = |line: &'static str| {
-        let field: Vec<&str> = line.split(',').collect();
-        let number = |i: usize| field[i].parse::<f64>().ok();
-        let class = |i: usize| number(i).map(|class| class == 1.0);
-        let input: Vec<f32> = field[1..9]
-            .iter()
-            .map(|hex| f32::from_bits(u32::from_str_radix(hex, 16).unwrap()))
-            .collect();
-        Row {
-            set: field[0],
-            input: input.try_into().unwrap(),
-            valid: number(9).unwrap() >= 0.0,
-            span: number(10).map(|t_in| [t_in, number(11).unwrap()]),
-            tube_t: number(12),
-            capped: class(14),
-            tube: class(15),
-        }
-    };
-    let rows: Vec<Row> =
-        include_str!("reference/cylinder.csv").lines().skip(1).map(parse).collect();
+    let rows = cylinder_table::rows().unwrap();
     assert_eq!(rows.len(), 2600);
     rows
 }
@@ -211,32 +182,14 @@ fn worst_quotient(
 #[test]
 fn f64_parameters() {
     let (quotient, set) = worst_quotient(answer_f64, 0.5 * f64::EPSILON);
-    assert!(quotient <= 2.0, "{quotient} times the bound in {set}");
+    assert!(quotient <= limits::CYLINDER_BOUND, "{quotient} times the bound in {set}");
 }
 
 #[test]
 fn f32_parameters() {
     let (quotient, set) = worst_quotient(answer_f32, 0.5 * f64::from(f32::EPSILON));
-    assert!(quotient <= 2.0, "{quotient} times the bound in {set}");
+    assert!(quotient <= limits::CYLINDER_BOUND, "{quotient} times the bound in {set}");
 }
-
-/// Distance from `exact` in units in the last place of an `f32` there.
-fn ulps(got: f64, exact: f64) -> f64 {
-    let near = (exact as f32).abs();
-    (got - exact).abs() / f64::from(near.next_up() - near)
-}
-
-/// Median, 99th percentile (by nearest rank) and maximum.
-fn percentiles(mut errors: Vec<f64>) -> [f64; 3] {
-    errors.sort_by(f64::total_cmp);
-    let rank = |percent: usize| (errors.len() * percent).div_ceil(100).saturating_sub(1);
-    [50, 99, 100].map(|percent| errors.get(rank(percent)).copied().unwrap_or(0.0))
-}
-
-/// What no parameter may be farther off than, in ulps. Where the origin lies on the surface to
-/// within the rounding of its own coordinates (`onsurf`), parameters are near zero and an ulp of
-/// them says nothing; there only [`bound`] holds.
-const MOST_ULPS: f64 = 4.0;
 
 #[test]
 fn f32_parameters_in_ulps() {
@@ -248,13 +201,15 @@ fn f32_parameters_in_ulps() {
             .filter(|row| row.set == set)
             .filter_map(|row| Some([answer_f32(&row.input).unwrap().span?, row.span?]))
             .collect();
-        let of =
-            |end: usize| percentiles(spans.iter().map(|[a, b]| ulps(a[end], b[end])).collect());
+        let of = |end: usize| {
+            let errors: Vec<f64> = spans.iter().map(|[a, b]| ulps(a[end], b[end])).collect();
+            percentiles(&errors).unwrap_or_default()
+        };
         let (t_in, t_out) = (of(0), of(1));
         let text = |p: [f64; 3]| format!("{:10.1}{:12.1}{:12.1}", p[0], p[1], p[2]);
         println!("{set:13}{}{}", text(t_in), text(t_out));
         let most = t_in[2].max(t_out[2]);
-        assert!(most <= MOST_ULPS || set == "onsurf", "{set}: {t_in:?} {t_out:?}");
+        assert!(most <= limits::CYLINDER_F32 || set == "onsurf", "{set}: {t_in:?} {t_out:?}");
     }
 }
 
@@ -391,7 +346,7 @@ fn rays_almost_near_a_tangent() {
         let got = answer_f32(&input).unwrap().span.unwrap();
         for (got, want) in got.into_iter().zip(want) {
             let error = ulps(got, want);
-            assert!(error <= MOST_ULPS, "{input:?}: {got} is {error} ulps off {want}");
+            assert!(error <= limits::CYLINDER_F32, "{input:?}: {got} is {error} ulps off {want}");
         }
     }
 }

@@ -10,12 +10,9 @@
 
 #![allow(clippy::unwrap_used, clippy::result_large_err)]
 
-mod number;
-
 use dashu_int::ops::SquareRoot;
 use dashu_int::{IBig, UBig};
 use fixed::types::{I8F24, I24F8};
-use number::Tested;
 use proptest::prelude::*;
 use scancsg::geom::{Ray, Vec3, vec3};
 use scancsg::scalar::I16F16;
@@ -23,6 +20,8 @@ use scancsg::solid::{Cylinder, CylinderWall, Hit, RayCast, Slab, Sphere};
 use scancsg::span::{Face, Span, SpanList};
 use std::cell::Cell;
 use std::cmp::Ordering;
+use testkit::number::Tested;
+use testkit::surd::{Surd, square};
 
 /// A fixed-point type of 32 bits.
 trait Fixed: Tested {
@@ -70,55 +69,17 @@ fn cross(a: V, b: V) -> [IBig; 3] {
     [part(1, 2), part(2, 0), part(0, 1)]
 }
 
-fn square(x: &IBig) -> IBig {
-    x * x
-}
-
-/// The parameter (p + s·√q)/d in units of the grid, with d > 0, q ≥ 0 and s = −1, 0 or 1.
-#[derive(Debug, Clone)]
-struct Surd {
-    p: IBig,
-    s: i64,
-    q: IBig,
-    d: IBig,
-}
-
-impl Surd {
-    fn ratio(p: IBig, d: IBig) -> Self {
-        let (p, d) = if d < IBig::ZERO { (-p, -d) } else { (p, d) };
-        Self { p, s: 0, q: IBig::ZERO, d }
-    }
-
-    /// Against p/d: (P + s√q)/D ⋛ p/d ⇔ s·√q·d ⋛ p·D − P·d, and squares keep the order of
-    /// absolute values.
-    fn compare(&self, p: &IBig, d: &IBig) -> Ordering {
-        let right = p * &self.d - &self.p * d;
-        let left_squared = IBig::from(self.s) * &self.q * square(d);
-        let right_squared = if right < IBig::ZERO { -square(&right) } else { square(&right) };
-        left_squared.cmp(&right_squared)
-    }
-
-    /// Against a parameter without a root.
-    fn order(&self, ratio: &Self) -> Ordering {
-        assert_eq!(ratio.s, 0);
-        self.compare(&ratio.p, &ratio.d)
-    }
-
-    /// The nearest whole numbers: two for a half. Beyond the type's range, its end.
-    fn nearest(&self) -> Vec<i64> {
-        const GUARD: usize = 64;
-        let root = UBig::try_from(&self.q << (2 * GUARD)).unwrap().sqrt();
-        let about =
-            ((&self.p << GUARD) + IBig::from(self.s) * IBig::from(root)) / (&self.d << GUARD);
-        let half = |twice: IBig| self.compare(&twice, &IBig::from(2));
-        let is_near = |whole: &IBig| half(whole * 2 - 1).is_ge() && half(whole * 2 + 1).is_le();
-        let near: Vec<IBig> = (-2..=2).map(|by| &about + by).filter(is_near).collect();
-        assert!(matches!(near.len(), 1 | 2), "{self:?}");
-        let (low, high) = (IBig::from(LOWEST), IBig::from(HIGHEST));
-        near.into_iter()
-            .map(|n| i64::try_from(n.clamp(low.clone(), high.clone())).unwrap())
-            .collect()
-    }
+/// The nearest whole numbers: two for a half. Beyond the type's range, its end.
+fn nearest(t: &Surd) -> Vec<i64> {
+    const GUARD: usize = 64;
+    let root = UBig::try_from(&t.q << (2 * GUARD)).unwrap().sqrt();
+    let about = ((&t.p << GUARD) + IBig::from(t.s) * IBig::from(root)) / (&t.d << GUARD);
+    let half = |twice: IBig| t.compare(&twice, &IBig::from(2));
+    let is_near = |whole: &IBig| half(whole * 2 - 1).is_ge() && half(whole * 2 + 1).is_le();
+    let near: Vec<IBig> = (-2..=2).map(|by| &about + by).filter(is_near).collect();
+    assert!(matches!(near.len(), 1 | 2), "{t:?}");
+    let (low, high) = (IBig::from(LOWEST), IBig::from(HIGHEST));
+    near.into_iter().map(|n| i64::try_from(n.clamp(low.clone(), high.clone())).unwrap()).collect()
 }
 
 /// A primitive; all numbers in units of the grid.
@@ -266,7 +227,7 @@ impl Case {
                     // Where both would be rounded to one number, either face may be named.
                     let mut end =
                         if wall.order(cap) == wins { single(wall, 2) } else { single(cap, face) };
-                    if wall.nearest().iter().any(|n| cap.nearest().contains(n)) {
+                    if nearest(wall).iter().any(|n| nearest(cap).contains(n)) {
                         end.faces = vec![2, face];
                     }
                     end
@@ -331,7 +292,7 @@ impl<S: Fixed> Any<S> {
 
 /// The pairs of parameters that a span may have.
 fn allowed([enter, exit]: &[End; 2]) -> Vec<(i64, i64)> {
-    let near = |end: &End, nowhere| end.at.as_ref().map_or(vec![nowhere], Surd::nearest);
+    let near = |end: &End, nowhere| end.at.as_ref().map_or(vec![nowhere], nearest);
     let (enters, exits) = (near(enter, LOWEST), near(exit, HIGHEST));
     let pairs = enters.iter().flat_map(|&a| exits.iter().map(move |&b| (a, b)));
     pairs
@@ -370,7 +331,7 @@ fn check<S: Fixed>(case: &Case) -> Result<(), TestCaseError> {
 
 fn is_beyond(want: &[End; 2]) -> bool {
     let all_are = |end: &End, limit| {
-        end.at.as_ref().is_some_and(|at| at.nearest().iter().all(|&n| n == limit))
+        end.at.as_ref().is_some_and(|at| nearest(at).iter().all(|&n| n == limit))
     };
     all_are(&want[1], LOWEST) || all_are(&want[0], HIGHEST)
 }
@@ -462,7 +423,7 @@ fn check_wall<S: Fixed>(case: &Case, got: Option<(S, bool)>) -> Result<(), TestC
         };
         if counts(1) {
             may_be.extend(
-                root.nearest().into_iter().flat_map(|t| [t - 1, t, t + 1]).map(|t| (t, inner)),
+                nearest(root).into_iter().flat_map(|t| [t - 1, t, t + 1]).map(|t| (t, inner)),
             );
         }
         if counts(-1) {
@@ -753,7 +714,7 @@ fn tangents_touch_the_wall() {
         let (start, speed) = (case.origin[axis], case.direction[axis]);
         let x_at = |t: i64| start as f64 + t as f64 * speed as f64 / 65536.0;
         let room = 2.0 + 2.0 * speed.abs() as f64 / 65536.0;
-        let near = t.nearest();
+        let near = nearest(&t);
         let is_inside = near.iter().all(|&t| {
             t > 1 && low as f64 + room < x_at(t) && x_at(t) < high as f64 - room
         });
@@ -801,7 +762,7 @@ fn the_cases_are_worth_it() {
                 rim,
                 // A tie of both ends, or an end on a half.
                 pairs.len() > 1,
-                ends().any(|end| end.nearest().iter().any(out_of_range)),
+                ends().any(|end| nearest(end).iter().any(out_of_range)),
             ]) {
                 *count += usize::from(is_one);
             }

@@ -4,11 +4,9 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
 #[macro_use]
-#[path = "number/mod.rs"]
-mod number;
+extern crate testkit;
 
 use fixed::types::I20F12;
-use number::{Tested, ball, between, coordinates, ray, spans, vector};
 use scancsg::constant;
 use scancsg::geom::{RayRow, Rays, Vec3, vec3};
 use scancsg::render::{Camera, Gray8, Orthographic, Perspective, Picture, Size, XRay};
@@ -16,44 +14,10 @@ use scancsg::scalar::I16F16;
 use scancsg::solid::{Painted, Pipe, PipeError, RayCast, Rgb, Scan, Shape, Solid};
 use scancsg::span::{Face, SpanList};
 use scancsg::spline::{Curve, Knots, Outside, SplineScalar};
-
-type V = [f64; 3];
-
-fn sub(a: V, b: V) -> V {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn along(a: V, s: f64, b: V) -> V {
-    [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]]
-}
-
-fn dot(a: V, b: V) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn length(v: V) -> f64 {
-    dot(v, v).sqrt()
-}
-
-fn unit(v: V) -> V {
-    v.map(|x| x / length(v))
-}
-
-/// SplitMix64, for the same numbers everywhere.
-struct Random(u64);
-
-impl Random {
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        low + (high - low) * ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn point(&mut self, size: f64) -> V {
-        [(); 3].map(|()| self.between(-size, size))
-    }
-}
+use testkit::limits;
+use testkit::number::{Tested, ball, between, coordinates, ray, spans, vector};
+use testkit::random::Random;
+use testkit::vector::{V, along, dot, length, sub, unit};
 
 /// The solid as it is meant: cylinders, and in each bend what of a ball is beyond the end of one
 /// and before the beginning of the next.
@@ -179,7 +143,7 @@ const CURVES: [[V; 6]; 3] = [
 /// How far off a surface a single ray's answer may be because of rounding: of points, axes, planes
 /// and parameters.
 fn blur<S: Tested>() -> f64 {
-    if S::IS_FIXED { 4.0 * S::UNIT } else { 16.0 * S::UNIT }
+    limits::PIPE.of::<S>()
 }
 
 fn vertices<S: Piped, const K: usize, const C: usize, const N: usize>(
@@ -193,7 +157,7 @@ fn vertices<S: Piped, const K: usize, const C: usize, const N: usize>(
 /// only if a model says so, wherever it says the same when larger or smaller by a rounding error.
 fn agrees<S: Piped, T: Solid<Scalar = S>>(solid: &T, holds: impl Fn(V, f64) -> bool) {
     const { assert!(T::STACK <= 1024) };
-    let mut random = Random(7);
+    let mut random = Random::seeded(7);
     let mut list = SpanList::<S, 1024>::new();
     let mut counts = [0; 2];
     for _ in 0..if cfg!(debug_assertions) { 500 } else { 50_000 } {
@@ -264,7 +228,7 @@ fn a_hollow_pipe_is_open_at_its_ends<S: Piped>() {
         agrees(&hollow, |point, more| outside.holds(point, more) && !bore.holds(point, -more));
 
         // Straight into the ends, all over the bore.
-        let mut random = Random(11);
+        let mut random = Random::seeded(11);
         let mut list = SpanList::<S, 1024>::new();
         for ends in [[0, 1], [points.len() - 1, points.len() - 2]] {
             let [end, next] = ends.map(|i| points[i]);
@@ -308,7 +272,7 @@ fn the_wall_is_within_the_tolerance<S: Piped>() {
         let curve = S::curve(CURVES[curve]);
         let (radius, limit) = (S::near(0.3), S::near(tolerance));
         let pipe = S::along_curve::<4, 6, 10, 96>(&curve, radius, limit).unwrap();
-        let mut random = Random(3);
+        let mut random = Random::seeded(3);
         let mut list = SpanList::<S, 1024>::new();
         let (mut worst, mut count) = (0f64, 0);
         for _ in 0..if cfg!(debug_assertions) { 300 } else { 10_000 } {
@@ -389,6 +353,7 @@ fn pictures_agree_with_rays<S: Piped>() {
     let mut list = SpanList::<S, 1024>::new();
     let seen = picture(&hollow, &camera);
     let (mut different, mut hits) = (0, 0);
+    let allowed = if S::IS_FIXED { limits::PIPE_DEPTH_FIXED } else { limits::PIPE_DEPTH_FLOAT };
     for (i, seen) in (0..).zip(&seen) {
         let (x, y) = (2 * (i % 64) + 1 - 64, 2 * (i / 64) + 1 - 48);
         let line = rays.row(y).line(x);
@@ -399,7 +364,7 @@ fn pictures_agree_with_rays<S: Piped>() {
         hits += u32::from(hit.is_some());
         let is_same = match (seen, hit) {
             (None, None) => true,
-            (Some(a), Some(b)) => (a - b).abs() <= if S::IS_FIXED { 0.01 } else { 2e-4 },
+            (Some(a), Some(b)) => (a - b).abs() <= allowed,
             _ => false,
         };
         different += u32::from(!is_same);
@@ -467,7 +432,7 @@ fn collinear_segments_are_one_cylinder<S: Piped>() {
     let points = [-2.0, -1.5, -0.25, 1.0, 2.0].map(|x| vector([x, 0.5, 0.5]));
     let pipe = S::through::<4>(&points, S::near(0.5)).unwrap();
     let rod = between::<S>([-2.0, 0.5, 0.5], [2.0, 0.5, 0.5], 0.5);
-    let mut random = Random(5);
+    let mut random = Random::seeded(5);
     for _ in 0..500 {
         let (from, to) = (random.point(4.0), random.point(1.5));
         let ray = ray::<S>(from, unit(sub(to, from)));

@@ -39,7 +39,7 @@ fn luma_is_that_of_bt_601() {
         let exact = 299 * u32::from(r) + 587 * u32::from(g) + 114 * u32::from(b);
         let off = (1000 * i64::from(Rgb::new(r, g, b).luma()) - i64::from(exact)).abs();
         // Nearest, but where the exact value is within 2 thousandths of halfway.
-        assert!(off <= 502, "luma of {r} {g} {b} is off by {off} thousandths");
+        assert!(off <= testkit::limits::LUMA, "luma of {r} {g} {b} is off by {off} thousandths");
     }
 }
 

@@ -1,7 +1,7 @@
 //! How many instructions the parts take on a board, counted by the emulator: exact, and the same in
 //! every run. Of rays made ready and of splines the loop around them is taken off, by counting it around
 //! nothing; a call and its return belong to them. On a host everything runs once, so that it stays good;
-//! for times there, see `cargo bench --bench parts` and `--bench render`.
+//! for times there, see `cargo bench --package bench --bench parts` and `--bench render`.
 
 #![cfg_attr(target_os = "none", no_std, no_main)]
 

@@ -1,5 +1,6 @@
 //! The textbook's cases of a ray and a cylinder, one by one, on numbers that make them exact.
 
+use crate::limits;
 use crate::number::{Tested, between, coordinates, ray, rod};
 use scancsg::geom::Vec3;
 use scancsg::solid::{CylinderWall, Hit, RayCast, WallHit};
@@ -37,7 +38,7 @@ fn assert_wall<S: Tested>(
 #[track_caller]
 fn assert_normal<S: Tested>(normal: Vec3<S>, want: [f64; 3]) {
     for (got, want) in coordinates(normal).into_iter().zip(want) {
-        assert!((got - want).abs() <= S::UNIT, "{normal:?} is not {want:?}");
+        assert!((got - want).abs() <= limits::NORMAL.of::<S>(), "{normal:?} is not {want:?}");
     }
 }
 
@@ -232,9 +233,9 @@ fn unnormalised_directions_scale_t_only<S: Tested>() {
         let off = (scaled.t.to_f64() * factor - one.t.to_f64()).abs();
         let allowed = if S::IS_FIXED {
             // Half a unit each.
-            0.5 * (1.0 + factor) * S::UNIT
+            (1.0 + factor) * limits::SCALED_DIRECTION.of::<S>()
         } else {
-            8.0 * S::UNIT * one.t.to_f64()
+            one.t.to_f64() * limits::SCALED_DIRECTION.of::<S>()
         };
         assert!(off <= allowed, "{off} at {factor}");
     }

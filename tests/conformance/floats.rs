@@ -2,6 +2,7 @@
 //! of a million radii. Infinities and NaN are in `bad_input` and `rows`.
 
 use crate::hard_cases::{beside_a_wide_wall, thin_from_afar};
+use crate::limits;
 use crate::number::{Tested, ball, ray, rod, spans, vector};
 use proptest::prelude::*;
 use scancsg::geom::{Ray, Vec3, vec3};
@@ -77,7 +78,11 @@ fn aimed_at_the_origin_by_chance<S: Float>() {
             let rod = S::along(0, [S::ZERO; 2], S::near(0.5), S::near(-3.0), top).unwrap();
             let hit = rod.hit(&ray, &mut list).unwrap();
             let want = (x - top.to_f64()) / x;
-            assert!((hit.t.to_f64() - want).abs() <= want * S::UNIT, "{:?} not {want}", hit.t);
+            assert!(
+                (hit.t.to_f64() - want).abs() <= want * limits::NEAR_CAP.of::<S>(),
+                "{:?} not {want}",
+                hit.t
+            );
             assert_eq!((hit.face, hit.inside), (Face(1), false), "{x} {gap}");
             let spans = spans(&rod, &ray);
             assert_eq!((spans.len(), spans[0].0), (1, hit.t.to_f64()), "{x} {gap}");
@@ -96,7 +101,11 @@ fn aimed_at_the_origin_by_chance<S: Float>() {
                 let value = (x - r) * (x + r) + want * (2.0 * x * x + want * (x * x + z * z));
                 want -= value / (2.0 * (x * x + want * (x * x + z * z)));
             }
-            assert!((hit.t.to_f64() / want - 1.0).abs() <= 4.0 * S::UNIT, "{:?} not {want}", hit.t);
+            assert!(
+                (hit.t.to_f64() / want - 1.0).abs() <= limits::NEAR_WALL.of::<S>(),
+                "{:?} not {want}",
+                hit.t
+            );
             assert!(hit.inner);
         }
     }
@@ -192,7 +201,7 @@ fn very_small_and_very_large_radii<S: Float>() {
         let across = ray::<S>([0.0, 3.0 * radius, 0.0], [0.0, -1.0, 0.0]);
         let [(enter, exit)] = spans(&rod, &across)[..] else { panic!("a miss of {radius}") };
         let error = (enter / radius - 2.0).abs().max((exit / radius - 4.0).abs());
-        assert!(error <= 2.0 * S::UNIT, "{radius}: {enter} {exit}");
+        assert!(error <= limits::RADII.of::<S>(), "{radius}: {enter} {exit}");
         let beside = ray::<S>([0.0, 0.0, radius * 1.0001], [0.0, 1.0, 0.0]);
         assert_eq!(spans(&rod, &beside), []);
     }
@@ -226,7 +235,7 @@ fn enormous_and_minute_factors<S: Float>() {
         let scaled = hit::<S>(WAY.map(|k| k * factor));
         assert_eq!((scaled.face, scaled.inside), (one.face, one.inside));
         let off = scaled.t.to_f64() * factor / one.t.to_f64() - 1.0;
-        assert!(off.abs() <= 8.0 * S::UNIT, "{off} at {factor}");
+        assert!(off.abs() <= limits::SCALED_DIRECTION.of::<S>(), "{off} at {factor}");
     }
 }
 

@@ -1,6 +1,7 @@
 //! Cases that break the textbook's formulas, each with a sentence on why. The textbook's cases
 //! themselves are in `cylinders`, the laws of boolean algebra in `laws`.
 
+use crate::limits;
 use crate::number::{Tested, assert_spans, ball, ray, rod, spans};
 use scancsg::solid::RayCast;
 use scancsg::span::SpanList;
@@ -42,7 +43,7 @@ fn grazing_from_both_directions<S: Tested>() {
         let within = S::ONE.down().to_f64();
         let [(enter, exit)] = graze(within)[..] else { panic!("a miss") };
         let chord = 2.0 * ((1.0 - within) * (1.0 + within)).sqrt();
-        let allowed = if S::IS_FIXED { S::UNIT } else { 8.0 * S::UNIT };
+        let allowed = limits::GRAZING_CHORD.of::<S>();
         assert!((exit - enter - chord).abs() <= allowed, "{enter} {exit}");
     }
 }
@@ -102,7 +103,7 @@ fn walls_of_a_few_units_in_the_last_place<S: Tested>() {
         assert_eq!(walls.len(), 2, "{units}");
         // Parameters are near 1 and 3, where a float's unit is one or four times that of the
         // radius.
-        let allowed = if S::IS_FIXED { 0.0 } else { 2.0 * S::UNIT };
+        let allowed = limits::THIN_WALL.of::<S>();
         for (enter, exit) in walls {
             assert!((exit - enter - (1.0 - inner)).abs() <= allowed, "{enter} {exit}");
         }
@@ -116,7 +117,7 @@ fn small_and_large_radii<S: Tested>() {
         let across = ray::<S>([0.0, 3.0 * radius, 0.0], [0.0, -1.0, 0.0]);
         let [(enter, exit)] = spans(&rod, &across)[..] else { panic!("a miss of {radius}") };
         let error = (enter / radius - 2.0).abs().max((exit / radius - 4.0).abs());
-        assert!(error <= if S::IS_FIXED { 0.0 } else { 2.0 * S::UNIT }, "{radius}: {enter} {exit}");
+        assert!(error <= limits::RADII.of::<S>(), "{radius}: {enter} {exit}");
         let beside = ray::<S>([0.0, 0.0, radius * 1.0001], [0.0, 1.0, 0.0]);
         assert_eq!(spans(&rod, &beside), []);
     }

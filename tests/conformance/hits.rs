@@ -1,20 +1,18 @@
 //! What a ray sees: the point is on the surface, and the normal has length 1 and points towards the ray,
 //! also where a parameter's unit is longer than the solid.
 
+use crate::limits;
 use crate::number::{Tested, coordinates, vector};
 use proptest::prelude::*;
 use scancsg::geom::{Ray, Vec3};
 use scancsg::solid::{CylinderWall, RayCast};
 use scancsg::span::SpanList;
+use testkit::vector::dot;
 
 for_every_number!(
     walls_and_balls_are_seen_from_outside_and_inside,
     thinner_than_a_unit_of_the_parameter
 );
-
-fn dot(x: [f64; 3], y: [f64; 3]) -> f64 {
-    x.into_iter().zip(y).map(|(x, y)| x * y).sum()
-}
 
 /// The point's distance from a surface at `radius` around the centre, or around the axis through it.
 fn off_surface<S: Tested>(
@@ -57,10 +55,11 @@ fn check<S: Tested>(
         let Some((point, normal)) = hit else { continue };
         // Coordinates are below 4.
         let unit = if S::IS_FIXED { S::UNIT } else { 2.0 * S::UNIT };
-        prop_assert!(off_surface(point, center, axis, radius) <= 2.0 * unit, "{point:?}");
+        let allowed = limits::HIT_POINT.of::<S>();
+        prop_assert!(off_surface(point, center, axis, radius) <= allowed, "{point:?}");
         let normal = coordinates(normal);
         let off = (dot(normal, normal).sqrt() - 1.0).abs();
-        prop_assert!(off <= 4.0 * (unit / radius + S::UNIT), "{normal:?}");
+        prop_assert!(off <= limits::NORMAL_LENGTH * (unit / radius + S::UNIT), "{normal:?}");
         let along = dot(normal, way) / dot(way, way).sqrt();
         prop_assert!(along <= most_along, "{normal:?} along the ray");
     }

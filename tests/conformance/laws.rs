@@ -4,6 +4,7 @@
 //! the same crossings. Counts of spans are claimed only where nothing is rounded: on rays and
 //! solids whose coordinates are small whole numbers.
 
+use crate::limits;
 use crate::number::{Tested, between, coordinates, ray, rod, spans, vector};
 use proptest::prelude::*;
 use scancsg::geom::{Line, Pose, Ray, Vec3, vec3};
@@ -233,7 +234,7 @@ fn a_turned_direction_mirrors_the_parameters<S: Tested>() {
             prop_assert_eq!(backwards.len(), forwards.len());
             for (a, b) in backwards.iter().zip(&forwards) {
                 let off = (a.0 - b.0).abs().max((a.1 - b.1).abs());
-                prop_assert!(off <= S::UNIT, "{:?} {:?}", a, b);
+                prop_assert!(off <= limits::SAME_SOLID.of::<S>(), "{:?} {:?}", a, b);
             }
         } else {
             prop_assert_eq!(backwards, forwards);
@@ -280,7 +281,7 @@ fn seen_from_the_other_end<S: Tested>() {
                 // each: 4 ulp of the largest parameter in play. In fixed point, half a unit each.
                 let largest =
                     [t, mirrored, steps, a.0, a.1, b.0, b.1].map(f64::abs).into_iter().fold(0.0, f64::max);
-                let allowed = if S::IS_FIXED { S::UNIT } else { 4.0 * S::UNIT * largest };
+                let allowed = limits::MIRRORED.of::<S>() * if S::IS_FIXED { 1.0 } else { largest };
                 let gap = (steps - mirrored) - t;
                 prop_assert!(gap.abs() <= allowed, "{t} and {mirrored} of {steps}");
             }

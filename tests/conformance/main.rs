@@ -4,11 +4,10 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
-#[path = "../caster/mod.rs"]
-mod caster;
 #[macro_use]
-#[path = "../number/mod.rs"]
-mod number;
+extern crate testkit;
+
+use testkit::{caster, limits, number};
 
 mod bad_input;
 mod cylinders;

@@ -12,6 +12,7 @@
 mod scene;
 
 use crate::caster::{self, Camera as Model, Ray as ModelRay, Solid as ModelSolid, V};
+use crate::limits;
 use crate::number::{self, Tested, vector};
 use proptest::prelude::*;
 use scancsg::geom::{Ray, Rays, vec3};
@@ -42,22 +43,19 @@ for_every_number!(
 /// Scene units by which a pixel's ray may miss what it should see at a depth. A grid's error grows
 /// with the distance from the eye.
 fn silhouette<S: Tested>(view: &Model, depth: f64) -> f64 {
-    if S::IS_FIXED { in_units::<S>(view, depth) } else { 1e-5 }
+    if S::IS_FIXED { in_units::<S>(view, depth) } else { limits::SILHOUETTE }
 }
 
 /// Scene units by which a depth may be off.
 fn tolerance<S: Tested>(view: &Model, depth: f64) -> f64 {
-    if S::IS_FIXED { in_units::<S>(view, depth) } else { 1e-4 }
+    if S::IS_FIXED { in_units::<S>(view, depth) } else { limits::DEPTH }
 }
 
 /// A few units: of the ray's point, of its direction, of the parameter.
 fn in_units<S: Tested>(view: &Model, depth: f64) -> f64 {
     let from_eye = if view.is_perspective { view.distance() + depth.max(0.0) } else { 0.0 };
-    FIXED_UNITS * S::UNIT * from_eye.max(1.0)
+    limits::FIXED_PICTURE * S::UNIT * from_eye.max(1.0)
 }
-
-/// In 1,500 pictures of each kind, 3 were enough.
-const FIXED_UNITS: f64 = 5.0;
 
 /// With a unit above this, what is left of a part may be thinner than a unit now and then, and be seen or
 /// not: in 5 of 220,000 pictures in `I20F12`, and in none of 100,000 in `I16F16`. There, the same part
@@ -615,7 +613,7 @@ fn check_levels_seen<S, C, H>(
         for (x, &Gray8(got)) in (0..).zip(&row) {
             let (pixel, got) = ([x, scanline.y()], f64::from(got));
             let want = of(&view.ray(pixel, size, [0.0; 2]));
-            if (got - want).abs() > 1.0 {
+            if (got - want).abs() > limits::LEVEL {
                 let depth = model.seen(&view.ray(pixel, size, [0.0; 2]), view.start());
                 let by = silhouette::<S>(view, depth.map_or(0.0, |seen| seen.t));
                 let rays = |part| rays_near::<S>(view, pixel, size, by * part);

@@ -217,7 +217,7 @@ fn check_span([low, high]: [f32; 2]) -> u32 {
         let [editable, in_flash] = [curve.value(t, Outside::Error), baked.value(t, Outside::Error)];
         let (editable, in_flash) = (editable.unwrap(), in_flash.unwrap());
         assert!(
-            (editable - in_flash).abs() <= 4.6 * f32::EPSILON / 2.0,
+            (editable - in_flash).abs() <= testkit::limits::FORMS as f32 * f32::EPSILON / 2.0,
             "{low} {high} {t}: {editable} {in_flash}"
         );
         for order in 0..7 {

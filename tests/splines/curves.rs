@@ -7,6 +7,7 @@ use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use scancsg::scalar::I16F16;
 use scancsg::spline::Outside;
 use std::cell::Cell;
+use testkit::limits;
 
 pub const POINTS: usize = 9;
 pub const KNOTS: usize = POINTS + 6;
@@ -183,9 +184,9 @@ fn worst_of<S: Numeric, const K: usize>(
 #[test]
 fn editable_quadratics_and_cubics() {
     for (offset, size) in [(0.0, 1.0), (0.0, 1e6), (1e6, 1.0), (1000.0, 300.0)] {
-        worst::<f32, 3>(offset, size, 5.0, Form::Editable);
-        worst::<f32, 4>(offset, size, 5.0, Form::Editable);
-        worst::<f64, 4>(offset, size, 1.5, Form::Editable);
+        worst::<f32, 3>(offset, size, limits::EDITABLE[3], Form::Editable);
+        worst::<f32, 4>(offset, size, limits::EDITABLE[4], Form::Editable);
+        worst::<f64, 4>(offset, size, limits::EDITABLE_F64, Form::Editable);
     }
 }
 
@@ -197,60 +198,60 @@ fn hard_curves() {
             println!("f32 {form:?} order {K}, hard: {most:.2} units");
         }
     }
-    worst::<2>([5.0, 3.1]);
-    worst::<3>([5.0, 3.1]);
-    worst::<4>([5.0, 3.1]);
-    worst::<5>([5.0, 3.1]);
-    worst::<6>([5.0, 3.1]);
+    worst::<2>([limits::EDITABLE[2], limits::BAKED]);
+    worst::<3>([limits::EDITABLE[3], limits::BAKED]);
+    worst::<4>([limits::EDITABLE[4], limits::BAKED]);
+    worst::<5>([limits::EDITABLE[5], limits::BAKED]);
+    worst::<6>([limits::EDITABLE[6], limits::BAKED]);
 }
 
 #[test]
 fn editable_curves_of_other_orders() {
     worst::<f32, 1>(0.0, 10.0, 0.0, Form::Editable);
-    worst::<f32, 2>(0.0, 10.0, 5.0, Form::Editable);
-    worst::<f32, 5>(0.0, 10.0, 5.0, Form::Editable);
-    worst::<f32, 6>(0.0, 10.0, 5.0, Form::Editable);
+    worst::<f32, 2>(0.0, 10.0, limits::EDITABLE[2], Form::Editable);
+    worst::<f32, 5>(0.0, 10.0, limits::EDITABLE[5], Form::Editable);
+    worst::<f32, 6>(0.0, 10.0, limits::EDITABLE[6], Form::Editable);
 }
 
 #[test]
 fn editable_curves_in_fixed_point() {
     for (offset, size) in [(0.0, 1.0), (0.0, 32_767.0), (32_000.0, 700.0)] {
         worst::<I16F16, 1>(offset, size, 0.0, Form::Editable);
-        worst::<I16F16, 2>(offset, size, 0.51, Form::Editable);
-        worst::<I16F16, 3>(offset, size, 0.51, Form::Editable);
-        worst::<I16F16, 4>(offset, size, 0.51, Form::Editable);
-        worst::<I16F16, 6>(offset, size, 0.51, Form::Editable);
+        worst::<I16F16, 2>(offset, size, limits::EDITABLE_FIXED, Form::Editable);
+        worst::<I16F16, 3>(offset, size, limits::EDITABLE_FIXED, Form::Editable);
+        worst::<I16F16, 4>(offset, size, limits::EDITABLE_FIXED, Form::Editable);
+        worst::<I16F16, 6>(offset, size, limits::EDITABLE_FIXED, Form::Editable);
     }
 }
 
 #[test]
 fn baked_curves() {
     for (offset, size) in [(0.0, 1.0), (0.0, 1.999), (0.0, 1e6), (1e6, 1.0), (1000.0, 300.0)] {
-        worst::<f32, 3>(offset, size, 3.1, Form::Baked(1));
-        worst::<f32, 4>(offset, size, 3.1, Form::Baked(1));
-        worst::<f64, 4>(offset, size, 3.1, Form::Baked(1));
-        worst::<f32, 4>(offset, size, 3.1, Form::Baked(2));
+        worst::<f32, 3>(offset, size, limits::BAKED, Form::Baked(1));
+        worst::<f32, 4>(offset, size, limits::BAKED, Form::Baked(1));
+        worst::<f64, 4>(offset, size, limits::BAKED, Form::Baked(1));
+        worst::<f32, 4>(offset, size, limits::BAKED, Form::Baked(2));
     }
 }
 
 #[test]
 fn baked_curves_of_other_orders() {
     worst::<f32, 1>(0.0, 10.0, 0.0, Form::Baked(1));
-    worst::<f32, 2>(0.0, 10.0, 3.1, Form::Baked(1));
-    worst::<f32, 5>(0.0, 10.0, 3.1, Form::Baked(1));
-    worst::<f32, 6>(0.0, 10.0, 3.1, Form::Baked(1));
-    worst::<f64, 6>(0.0, 10.0, 3.1, Form::Baked(1));
+    worst::<f32, 2>(0.0, 10.0, limits::BAKED, Form::Baked(1));
+    worst::<f32, 5>(0.0, 10.0, limits::BAKED, Form::Baked(1));
+    worst::<f32, 6>(0.0, 10.0, limits::BAKED, Form::Baked(1));
+    worst::<f64, 6>(0.0, 10.0, limits::BAKED, Form::Baked(1));
 }
 
 #[test]
 fn baked_curves_in_fixed_point() {
     for (offset, size) in [(0.0, 1.0), (0.0, 75.0), (32_000.0, 75.0)] {
         worst::<I16F16, 1>(offset, size, 0.0, Form::Baked(1));
-        worst::<I16F16, 2>(offset, 4.0 * size, 0.6, Form::Baked(1));
-        worst::<I16F16, 3>(offset, 2.0 * size, 0.6, Form::Baked(1));
-        worst::<I16F16, 4>(offset, size, 0.6, Form::Baked(1));
+        worst::<I16F16, 2>(offset, 4.0 * size, limits::BAKED_FIXED, Form::Baked(1));
+        worst::<I16F16, 3>(offset, 2.0 * size, limits::BAKED_FIXED, Form::Baked(1));
+        worst::<I16F16, 4>(offset, size, limits::BAKED_FIXED, Form::Baked(1));
     }
-    worst::<I16F16, 6>(0.0, 20.0, 0.6, Form::Baked(1));
+    worst::<I16F16, 6>(0.0, 20.0, limits::BAKED_FIXED, Form::Baked(1));
 }
 
 /// A line that jumps from 2 to 5 at zero.

@@ -7,6 +7,7 @@ use super::properties::{curves, f64_of};
 use proptest::prelude::*;
 use scancsg::scalar::I16F16;
 use scancsg::spline::Outside;
+use testkit::limits;
 
 /// A control point that moves changes the curve where its basis function is, and nothing else by a
 /// bit; and the curve is then the one that is made of these control points.
@@ -65,8 +66,8 @@ fn insertion<S: Numeric, const K: usize>(units: f64) {
 
 #[test]
 fn insertion_keeps_the_curve() {
-    insertion::<f32, 2>(3.0);
-    insertion::<f32, 4>(3.0);
-    insertion::<f64, 4>(3.0);
-    insertion::<I16F16, 4>(1.1);
+    insertion::<f32, 2>(limits::INSERTION);
+    insertion::<f32, 4>(limits::INSERTION);
+    insertion::<f64, 4>(limits::INSERTION);
+    insertion::<I16F16, 4>(limits::INSERTION_FIXED);
 }

@@ -2,13 +2,14 @@
 
 #![allow(clippy::unwrap_used)]
 
+use testkit::bspline as exact;
+use testkit::bspline_table as table;
+
 mod bad_input;
 mod curves;
 mod editing;
-mod exact;
 mod number;
 mod properties;
 mod reference;
 mod search;
 mod sweeps;
-mod table;

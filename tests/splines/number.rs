@@ -3,6 +3,7 @@
 use super::exact::Ratio;
 use scancsg::scalar::I16F16;
 use scancsg::spline::{Curve, CurveError, EvaluateError, KnotError, Knots, Outside, SplineScalar};
+use testkit::ulp::unit_of;
 
 pub trait Numeric: SplineScalar {
     /// The nearest number.
@@ -84,7 +85,7 @@ impl Numeric for f32 {
     fn ulp(size: f64) -> f64 {
         let size = (size.abs() as f32).max(f32::MIN_POSITIVE);
         // Of the binade that the size is in.
-        f64::from(size).log2().floor().exp2() * f64::from(f32::EPSILON)
+        unit_of(size.into(), f32::EPSILON.into())
     }
 
     constructors!();
@@ -100,7 +101,7 @@ impl Numeric for f64 {
     }
 
     fn ulp(size: f64) -> f64 {
-        size.abs().max(f64::MIN_POSITIVE).log2().floor().exp2() * f64::EPSILON
+        unit_of(size.abs().max(f64::MIN_POSITIVE), f64::EPSILON)
     }
 
     constructors!();

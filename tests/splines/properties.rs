@@ -7,6 +7,7 @@ use proptest::prelude::*;
 use scancsg::scalar::I16F16;
 use scancsg::spline::{Curve, CurveError, Knots, Outside, Vertex};
 use std::cell::Cell;
+use testkit::limits;
 
 pub type Made<S, const K: usize> = Curve<[S; 2], K, POINTS, KNOTS>;
 
@@ -115,13 +116,13 @@ fn basis_errors<S: Numeric, const K: usize>(limits: [f64; 2]) {
 
 #[test]
 fn basis_functions_are_accurate() {
-    basis_errors::<f32, 2>([1.0, 3.0]);
-    basis_errors::<f32, 3>([1.0, 3.0]);
-    basis_errors::<f32, 4>([1.0, 3.0]);
-    basis_errors::<f32, 6>([1.0, 3.0]);
-    basis_errors::<f64, 4>([1.0, 3.0]);
-    basis_errors::<I16F16, 3>([0.6, 0.6]);
-    basis_errors::<I16F16, 4>([0.6, 0.6]);
+    basis_errors::<f32, 2>(limits::BASIS);
+    basis_errors::<f32, 3>(limits::BASIS);
+    basis_errors::<f32, 4>(limits::BASIS);
+    basis_errors::<f32, 6>(limits::BASIS);
+    basis_errors::<f64, 4>(limits::BASIS);
+    basis_errors::<I16F16, 3>(limits::BASIS_FIXED);
+    basis_errors::<I16F16, 4>(limits::BASIS_FIXED);
 }
 
 /// A value lies among the control points that it depends on, but for its rounding.
@@ -285,11 +286,11 @@ fn derivatives<S: Numeric, const K: usize>(limits: [f64; 2]) {
 
 #[test]
 fn derivatives_are_those_of_the_exact_curve() {
-    derivatives::<f32, 3>([3.0, 4.0]);
-    derivatives::<f32, 4>([3.0, 4.0]);
-    derivatives::<f64, 5>([3.0, 4.0]);
-    derivatives::<I16F16, 3>([0.51, 0.51]);
-    derivatives::<I16F16, 4>([0.51, 0.51]);
+    derivatives::<f32, 3>(limits::DERIVATIVES);
+    derivatives::<f32, 4>(limits::DERIVATIVES);
+    derivatives::<f64, 5>(limits::DERIVATIVES);
+    derivatives::<I16F16, 3>(limits::DERIVATIVES_FIXED);
+    derivatives::<I16F16, 4>(limits::DERIVATIVES_FIXED);
 }
 
 /// Anywhere, with every policy: no NaN, and no panic.
@@ -308,8 +309,7 @@ fn everywhere<S: Numeric, const K: usize>(parameters: &[f64]) {
                         let other = curve.value(t, outside).unwrap();
                         for (x, y) in point.into_iter().zip(other) {
                             let units = (f64_of(x) - f64_of(y)).abs() / S::ulp(1000.0);
-                            // 3.1 of the baked form, and 1.5.
-                            prop_assert!(units <= 4.6, "{units}");
+                            prop_assert!(units <= limits::FORMS, "{units}");
                         }
                     }
                 }
@@ -392,7 +392,7 @@ fn lengths_do_not_drift() {
     let exact: f64 = vertices.windows(2).map(chord).sum();
     let (t, length) = curve.lengths(1e-4).unwrap().last().unwrap();
     let units = (f64::from(length) - exact).abs() / f32::ulp(exact);
-    assert!(t == 7.0 && units <= 1.5, "{units} units of {exact}");
+    assert!(t == 7.0 && units <= limits::LENGTH, "{units} units of {exact}");
 }
 
 /// Curves agree with their baked form in so many units of the largest control coordinate: those that
@@ -422,18 +422,18 @@ fn forms<S: Numeric, const K: usize>(size: f64, limit: f64) {
 #[test]
 fn baked_curves_are_the_editable_ones() {
     forms::<f32, 1>(1e6, 0.0);
-    forms::<f32, 2>(1e6, 1.6 + 5.0);
-    forms::<f32, 3>(1e6, 2.5 + 5.0);
-    forms::<f32, 4>(1e6, 2.8 + 5.0);
-    forms::<f32, 5>(1e6, 3.1 + 5.0);
-    forms::<f32, 6>(1e6, 3.1 + 5.0);
-    forms::<f64, 3>(1e6, 3.1 + 1.5);
-    forms::<f64, 4>(1e6, 3.1 + 1.75);
+    forms::<f32, 2>(1e6, limits::BAKED_SEARCH[2] + limits::EDITABLE[2]);
+    forms::<f32, 3>(1e6, limits::BAKED_SEARCH[3] + limits::EDITABLE[3]);
+    forms::<f32, 4>(1e6, limits::BAKED_SEARCH[4] + limits::EDITABLE[4]);
+    forms::<f32, 5>(1e6, limits::BAKED_SEARCH[5] + limits::EDITABLE[5]);
+    forms::<f32, 6>(1e6, limits::BAKED_SEARCH[6] + limits::EDITABLE[6]);
+    forms::<f64, 3>(1e6, limits::FORMS);
+    forms::<f64, 4>(1e6, limits::FORMS_F64);
     // Whole units of the type's last place.
     forms::<I16F16, 1>(75.0, 0.0);
-    forms::<I16F16, 2>(75.0, 1.0);
-    forms::<I16F16, 3>(75.0, 1.0);
-    forms::<I16F16, 4>(75.0, 1.0);
+    forms::<I16F16, 2>(75.0, limits::FORMS_FIXED);
+    forms::<I16F16, 3>(75.0, limits::FORMS_FIXED);
+    forms::<I16F16, 4>(75.0, limits::FORMS_FIXED);
 }
 
 /// Control points that near never are too far apart.

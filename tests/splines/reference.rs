@@ -4,6 +4,7 @@ use super::exact::{self, Ratio};
 use super::number::{Numeric, error};
 use super::table::{Row, rows};
 use scancsg::scalar::I16F16;
+use testkit::limits;
 
 /// The basis functions of any order that the table has.
 fn basis<S: Numeric>(row: &Row) -> S {
@@ -54,7 +55,7 @@ fn worst<S: Numeric>(name: &str, is_in: impl Fn(&Row) -> bool, limits: [f64; 2])
 
 #[test]
 fn basis_functions_of_the_table() {
-    worst::<f32>("f32", |_| true, [3.0, 3.0]);
-    worst::<f64>("f64", |_| true, [3.0, 3.0]);
-    worst::<I16F16>("I16F16", |row| row.group != "f32only", [0.6, 0.6]);
+    worst::<f32>("f32", |_| true, limits::BASIS_TABLE);
+    worst::<f64>("f64", |_| true, limits::BASIS_TABLE);
+    worst::<I16F16>("I16F16", |row| row.group != "f32only", limits::BASIS_FIXED);
 }

@@ -2,6 +2,7 @@
 //! changes to the worst. It is held against `f64`, whose own errors are 10⁻⁸ of these.
 
 use scancsg::spline::{Curve, Knots, Outside};
+use testkit::limits;
 
 /// One span: all knots and control points that it depends on.
 #[derive(Debug, Clone, Copy)]
@@ -131,11 +132,11 @@ fn no_search_finds_a_curve_beyond_the_limits() {
 }
 
 // Editable and baked.
-const ORDER_2: [f64; 2] = [5.0, 1.6];
-const ORDER_3: [f64; 2] = [5.0, 2.5];
-const ORDER_4: [f64; 2] = [5.0, 2.8];
-const ORDER_5: [f64; 2] = [5.0, 3.1];
-const ORDER_6: [f64; 2] = [5.0, 3.1];
+const ORDER_2: [f64; 2] = [limits::EDITABLE[2], limits::BAKED_SEARCH[2]];
+const ORDER_3: [f64; 2] = [limits::EDITABLE[3], limits::BAKED_SEARCH[3]];
+const ORDER_4: [f64; 2] = [limits::EDITABLE[4], limits::BAKED_SEARCH[4]];
+const ORDER_5: [f64; 2] = [limits::EDITABLE[5], limits::BAKED_SEARCH[5]];
+const ORDER_6: [f64; 2] = [limits::EDITABLE[6], limits::BAKED_SEARCH[6]];
 
 /// The worst that long searches found for baked curves of two polynomials to a span, and of three. With
 /// two, these were up to 5 units off for order 4 and up to 7 for order 6: where a curve is quick, near

@@ -22,6 +22,9 @@ impl Board {
     pub const ALL: [Self; 5] =
         [Self::Microbit, Self::Lm3s6965, Self::An386, Self::An505, Self::Virt];
 
+    /// One of each architecture, for what takes long.
+    pub const SHORT: [Self; 2] = [Self::Microbit, Self::Virt];
+
     pub fn target(self) -> &'static str {
         match self {
             Self::Microbit => "thumbv6m-none-eabi",

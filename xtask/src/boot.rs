@@ -90,7 +90,7 @@ impl Machine {
         };
         let (log, console) = (all(self.log.take()), all(self.console.take()));
         let log = match std::fs::read(&self.elf) {
-            Ok(elf) if !log.is_empty() => crate::log::decode(&elf, &log)
+            Ok(elf) if !log.is_empty() => crate::decode::decode(&elf, &log)
                 .unwrap_or_else(|error| format!("the log can't be decoded: {error}\n")),
             _ => String::new(),
         };

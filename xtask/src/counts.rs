@@ -2,8 +2,8 @@
 
 use crate::board::{Board, Number};
 use crate::boot;
+use crate::paths::root;
 use crate::points::{Splines, digest};
-use crate::root;
 use crate::toolchain::Toolchain;
 use scancsg::geom::Vec3;
 use scancsg::scalar::I16F16;

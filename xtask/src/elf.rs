@@ -108,7 +108,7 @@ fn is_gcc_name(name: &str, kind: &str) -> bool {
         let rest = rest.trim_end_matches(|c: char| c.is_ascii_digit());
         rest.chars().all(|c| c.is_ascii_lowercase())
             && (rest.ends_with(kind)
-                || ["si", "di"].iter().any(|whole| rest.ends_with(&format!("{kind}{whole}"))))
+                || ["si", "di"].iter().any(|integer| rest.ends_with(&format!("{kind}{integer}"))))
     })
 }
 

@@ -1,13 +1,18 @@
 //! The chores of scancsg, behind one door: `cargo xtask --help`.
 
 mod board;
+mod boards;
 mod boot;
+mod ci;
 mod counts;
+mod decode;
 mod elf;
 mod faults;
 #[path = "../../examples/host/mod.rs"]
 mod host;
+mod layers;
 mod log;
+mod paths;
 #[path = "../../examples/bench/points.rs"]
 mod points;
 mod profile;
@@ -18,10 +23,10 @@ mod toolchain;
 
 use board::{Board, Number};
 use clap::{Parser, Subcommand};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// Builds firmware, boots it on emulated boards, and measures it.
+/// Builds firmware, boots it on emulated boards, and measures it; and checks everything.
 #[derive(Debug, Parser)]
 #[command(name = "xtask", bin_name = "cargo xtask", max_term_width = 80)]
 struct Args {
@@ -33,7 +38,7 @@ struct Args {
 enum Chore {
     /// Build the firmware of every board, boot it, receive its picture through its serial port, and
     /// compare it with the host's
-    Boards(Boards),
+    Boards(boards::Boards),
 
     /// Build firmware with its `defmt` log, and check the picture and the log
     Log(Chosen),
@@ -43,6 +48,9 @@ enum Chore {
 
     /// Count where the instructions of a part of the example `bench` go
     Profile(profile::Profile),
+
+    /// Check everything that must hold before a change lands, or one step of it
+    Ci(ci::Ci),
 
     /// Boot one firmware, show the picture that it sends, and save it
     Boot {
@@ -69,37 +77,19 @@ struct Chosen {
 
 impl Chosen {
     fn boards(&self) -> &[Board] {
-        if self.board.is_empty() { &[Board::Microbit, Board::Virt] } else { &self.board }
+        if self.board.is_empty() { &Board::SHORT } else { &self.board }
     }
-}
-
-#[derive(Debug, clap::Args)]
-struct Boards {
-    /// Only this board; may be given several times
-    #[arg(long)]
-    board: Vec<Board>,
-
-    /// Only this number type
-    #[arg(long)]
-    number: Option<Number>,
-
-    /// Save the picture of the last board as a PNG file
-    #[arg(long, value_name = "FILE.png")]
-    png: Option<PathBuf>,
-
-    /// Write the expected instruction counts, and docs/boards.md, anew
-    #[arg(long)]
-    overwrite: bool,
 }
 
 fn main() -> ExitCode {
     let result = match Args::parse().chore {
-        Chore::Boards(chosen) => boards(&chosen),
+        Chore::Boards(chosen) => boards::measure(&chosen),
         Chore::Log(chosen) => {
             chosen.boards().iter().try_for_each(|board| log::check(*board, chosen.number))
         }
         Chore::Faults(chosen) => faults::check(chosen.boards(), chosen.number),
         Chore::Profile(chosen) => profile::show(&chosen),
+        Chore::Ci(chosen) => ci::run(&chosen),
         Chore::Boot { board, elf, png } => boot::show(board, &elf, &png),
     };
     match result {
@@ -109,78 +99,4 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
-}
-
-/// The flash that rendering may take on the smallest board, in fixed point.
-const MOST_FLASH: u64 = 24 * 1024;
-
-/// The RAM that rendering and sending may take: variables and stack.
-const MOST_RAM: u64 = 4096;
-
-/// The repository.
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."))
-}
-
-fn boards(chosen: &Boards) -> Result<(), String> {
-    let boards: Vec<Board> =
-        if chosen.board.is_empty() { Board::ALL.to_vec() } else { chosen.board.clone() };
-    let mut rows = Vec::new();
-    let mut problems = Vec::new();
-    for board in boards {
-        let toolchain = toolchain::find(board.target())?;
-        for number in Number::ALL {
-            if chosen.number.is_some_and(|only| only != number) {
-                continue;
-            }
-            eprintln!("{board}, {number}: building with {}", toolchain.version);
-            let elf = toolchain.build(board, number, "stream", &[])?;
-            let contents = elf::Contents::read(&elf)?;
-            problems
-                .extend(contents.problems(number).map(|text| format!("{board}, {number}: {text}")));
-            let outcome = boot::stream(board, number, &elf)?;
-            problems
-                .extend(outcome.problems.iter().map(|text| format!("{board}, {number}: {text}")));
-            let ram = outcome.stack.map(|stack| contents.ram + u64::from(stack));
-            if ram.is_none_or(|ram| ram > MOST_RAM) {
-                let text = ram.map_or("an unknown number of".to_owned(), |ram| ram.to_string());
-                problems.push(format!(
-                    "{board}, {number}: it takes {text} bytes of RAM, of {MOST_RAM} that it may"
-                ));
-            }
-            if let Some(path) = &chosen.png {
-                host::image::write_png(path, std::slice::from_ref(&outcome.frame))?;
-            }
-            let least = toolchain.build(board, number, "render_only", &[])?;
-            let least = elf::Contents::read(&least)?;
-            problems.extend(
-                least
-                    .problems(number)
-                    .map(|text| format!("{board}, {number}, render_only: {text}")),
-            );
-            let render_flash = least.flash;
-            if board == Board::Microbit && number == Number::I16f16 && render_flash > MOST_FLASH {
-                let text = format!("rendering takes {render_flash} bytes of flash");
-                problems.push(format!("{board}, {number}: {text}, of {MOST_FLASH} that it may"));
-            }
-            let counts = counts::measure(&toolchain, board, number)?;
-            problems.extend(counts.problem().map(|text| format!("{board}, {number}: {text}")));
-            let changes = counts.compare(chosen.overwrite)?;
-            changes.iter().for_each(|change| eprintln!("  {}", change.text));
-            problems.extend(
-                changes
-                    .into_iter()
-                    .filter(|change| change.is_worse)
-                    .map(|change| format!("{board}, {number}: {}", change.text)),
-            );
-            rows.push(report::Row { board, number, contents, render_flash, outcome, counts });
-        }
-    }
-    let table = report::table(&rows);
-    println!("{table}");
-    let is_complete = chosen.board.is_empty() && chosen.number.is_none();
-    if is_complete && chosen.overwrite {
-        report::write(&rows)?;
-    }
-    if problems.is_empty() { Ok(()) } else { Err(problems.join("\n       ")) }
 }

@@ -4,7 +4,7 @@ use crate::board::{Board, Number};
 use crate::boot::Outcome;
 use crate::counts::Counts;
 use crate::elf::Contents;
-use crate::root;
+use crate::paths::root;
 use std::fmt::Write as _;
 use std::fs;
 

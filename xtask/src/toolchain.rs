@@ -2,7 +2,7 @@
 //! built from its sources once and kept in the user's cache folder.
 
 use crate::board::{Board, Number};
-use crate::root;
+use crate::paths::root;
 use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -16,19 +16,20 @@ pub struct Toolchain {
     foreign: Option<(PathBuf, PathBuf)>,
 }
 
-const DEBIAN_PACKAGES: &str = "rustc-web cargo-web rust-web-src rust-web-llvm lld-22";
+/// What firmware is built with: fat LTO, one codegen unit.
+const PROFILE: &str = "firmware";
+
+/// Debian's compiler, and the sources of its core library.
+pub const DEBIAN_PACKAGES: &str = "rustc-web cargo-web rust-web-src rust-web-llvm lld-22";
 
 /// The compiler for a target.
 pub fn find(target: &str) -> Result<Toolchain, String> {
-    // Not the compiler that cargo has set for this program.
-    let sysroot = output(own("rustc").args(["--print", "sysroot"])).unwrap_or_default();
-    if Path::new(sysroot.trim()).join("lib/rustlib").join(target).join("lib").is_dir() {
+    if has_target(target) {
         let version = version(own("rustc").arg("-vV"))?;
         return Ok(Toolchain { version, cargo: "cargo".into(), foreign: None });
     }
     let (rustc, cargo) = (PathBuf::from("/usr/bin/rustc"), PathBuf::from("/usr/bin/cargo"));
-    let sources = Path::new("/usr/lib/rustlib/src/rust/library/core");
-    if !(rustc.exists() && cargo.exists() && sources.is_dir()) {
+    if !has_debian() {
         return Err(format!(
             "there is no compiler for {target}. Install one with `rustup target add {target}`, or \
              on Debian with `apt-get install --no-install-recommends {DEBIAN_PACKAGES}`"
@@ -37,6 +38,28 @@ pub fn find(target: &str) -> Result<Toolchain, String> {
     let version = version(Command::new(&rustc).arg("-vV"))?;
     let libraries = libraries(&rustc, &cargo, target, &version)?;
     Ok(Toolchain { version, cargo, foreign: Some((rustc, libraries)) })
+}
+
+/// Whether [`find`] has a compiler for a target.
+pub fn is_there(target: &str) -> bool {
+    has_target(target) || has_debian() && has_program("rust-lld")
+}
+
+/// Whether the user's own compiler has the target.
+fn has_target(target: &str) -> bool {
+    // Not the compiler that cargo has set for this program.
+    let sysroot = output(own("rustc").args(["--print", "sysroot"])).unwrap_or_default();
+    Path::new(sysroot.trim()).join("lib/rustlib").join(target).join("lib").is_dir()
+}
+
+fn has_debian() -> bool {
+    let needed = ["/usr/bin/rustc", "/usr/bin/cargo", "/usr/lib/rustlib/src/rust/library/core"];
+    needed.iter().all(|path| Path::new(path).exists())
+}
+
+pub fn has_program(name: &str) -> bool {
+    let path = env::var_os("PATH").unwrap_or_default();
+    env::split_paths(&path).any(|folder| folder.join(name).is_file())
 }
 
 /// A program of the toolchain that the user has, whatever cargo has set for its children.
@@ -141,7 +164,8 @@ impl Toolchain {
         let mut command = own(&self.cargo.to_string_lossy());
         command
             .current_dir(root())
-            .args(["build", "--quiet", "--release", "--target", target, "--example", example])
+            .args(["build", "--quiet", "--profile", PROFILE, "--target", target])
+            .args(["--package", "examples", "--example", example])
             .args(["--features", &features.join(",")])
             .env("CARGO_TARGET_DIR", &folder);
         if let Some((rustc, sysroot)) = &self.foreign {
@@ -151,6 +175,6 @@ impl Toolchain {
         let variable = target.to_ascii_uppercase().replace(['-', '.'], "_");
         command.env(format!("CARGO_TARGET_{variable}_RUSTFLAGS"), flags);
         output(&mut command)?;
-        Ok(folder.join(target).join("release/examples").join(example))
+        Ok(folder.join(target).join(PROFILE).join("examples").join(example))
     }
 }

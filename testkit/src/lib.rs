@@ -1,0 +1,17 @@
+//! What tests and benchmarks share: oracles that decide exactly, a brute-force caster, seeded
+//! generators, vectors, units in the last place, and one table of limits.
+//!
+//! A failure inside is a panic, as in a test.
+
+pub mod bspline;
+pub mod bspline_table;
+pub mod caster;
+pub mod cylinder_table;
+pub mod limits;
+pub mod number;
+pub mod oracle;
+pub mod query;
+pub mod random;
+pub mod surd;
+pub mod ulp;
+pub mod vector;

@@ -1,0 +1,250 @@
+//! The gate: what must hold before a change lands, in steps.
+
+use crate::board::{Board, Number};
+use crate::boards::{self, Boards};
+use crate::paths::root;
+use crate::toolchain::{self, has_program};
+use crate::{faults, layers, log};
+use std::fs;
+use std::process::Command;
+use std::time::Instant;
+
+#[derive(Debug, clap::Args)]
+pub struct Ci {
+    /// Only these steps, in this order [default: all]
+    step: Vec<String>,
+
+    /// Name the steps, and do none
+    #[arg(long)]
+    list: bool,
+}
+
+struct Step {
+    name: &'static str,
+    what: &'static str,
+    run: fn() -> Result<(), String>,
+}
+
+/// Quick ones first.
+const STEPS: [Step; 12] = [
+    Step { name: "format", what: "every file is formatted", run: format },
+    Step { name: "layers", what: "files import downwards, and in no circle", run: layers },
+    Step { name: "lints", what: "clippy, on all members and all features", run: lints },
+    Step { name: "test", what: "README's test command", run: test },
+    Step { name: "members", what: "tests of the test kit and of the chores", run: members },
+    Step { name: "docs", what: "documentation without a warning", run: docs },
+    Step { name: "accuracy", what: "every target, against exact arithmetic", run: accuracy },
+    Step {
+        name: "stream",
+        what: "README's main command, and the picture that it writes",
+        run: stream,
+    },
+    Step { name: "package", what: "a dependent gets the crate, and nothing else", run: package },
+    Step {
+        name: "boards",
+        what: "firmware on five boards: pictures, sizes, instructions",
+        run: all_boards,
+    },
+    Step { name: "log", what: "firmware's log", run: logs },
+    Step { name: "faults", what: "firmware on a line with faults", run: with_faults },
+];
+
+/// Does all steps, or those that were chosen, up to the first that fails.
+pub fn run(chosen: &Ci) -> Result<(), String> {
+    if chosen.list {
+        STEPS.iter().for_each(|step| println!("{:10}{}", step.name, step.what));
+        return Ok(());
+    }
+    let find = |name: &String| {
+        let step = STEPS.iter().find(|step| step.name == name);
+        step.ok_or_else(|| format!("there is no step `{name}`; `cargo xtask ci --list` names them"))
+    };
+    let steps: Vec<&Step> = if chosen.step.is_empty() {
+        STEPS.iter().collect()
+    } else {
+        chosen.step.iter().map(find).collect::<Result<_, _>>()?
+    };
+    let start = Instant::now();
+    for step in steps {
+        println!("\n=== {}: {}", step.name, step.what);
+        let begin = Instant::now();
+        (step.run)().map_err(|problem| format!("step `{}` failed: {problem}", step.name))?;
+        println!("=== {}: {:.0} s", step.name, begin.elapsed().as_secs_f32());
+    }
+    println!("\n=== all in {:.0} s", start.elapsed().as_secs_f32());
+    Ok(())
+}
+
+/// A command of words.
+fn command(words: &str) -> Command {
+    let mut words = words.split_whitespace();
+    let mut command = Command::new(words.next().unwrap_or_default());
+    command.args(words).current_dir(root()).env("CARGO_TERM_COLOR", "never");
+    command
+}
+
+fn done(command: &mut Command) -> Result<(), String> {
+    let status = command.status().map_err(|error| format!("{command:?}: {error}"))?;
+    if status.success() { Ok(()) } else { Err(format!("{command:?}: {status}")) }
+}
+
+fn output(command: &mut Command) -> Result<String, String> {
+    let output = command.output().map_err(|error| format!("{command:?}: {error}"))?;
+    if output.status.success() {
+        Ok(String::from_utf8_lossy(&output.stdout).into_owned())
+    } else {
+        Err(format!("{command:?}: {}", String::from_utf8_lossy(&output.stderr)))
+    }
+}
+
+/// README's own words are what is tested, so that they stay true.
+fn readme_command(start: &str) -> Result<Command, String> {
+    let readme = fs::read_to_string(root().join("README.md")).map_err(|error| error.to_string())?;
+    let line = readme.lines().find(|line| line.starts_with(start));
+    let line = line.ok_or_else(|| format!("README.md has no command `{start}`"))?;
+    let words = line.split('#').next().unwrap_or_default().trim();
+    println!("{words}");
+    Ok(command(words))
+}
+
+fn format() -> Result<(), String> {
+    done(&mut command("cargo fmt --all --check"))
+}
+
+fn layers() -> Result<(), String> {
+    let problems = layers::problems(&root().join("src"))?;
+    if problems.is_empty() { Ok(()) } else { Err(problems.join("\n       ")) }
+}
+
+fn lints() -> Result<(), String> {
+    done(&mut command("cargo clippy --workspace --all-targets --all-features -- -D warnings"))
+}
+
+fn test() -> Result<(), String> {
+    done(&mut readme_command("cargo test")?)
+}
+
+fn members() -> Result<(), String> {
+    done(&mut command("cargo test --package testkit --package xtask"))
+}
+
+fn docs() -> Result<(), String> {
+    let mut command =
+        command("cargo doc --no-deps --all-features --package scancsg --package testkit");
+    done(command.env("RUSTDOCFLAGS", "-D warnings"))
+}
+
+fn accuracy() -> Result<(), String> {
+    done(&mut command("cargo bench --package bench --bench speed_vs_error -- --quick --check"))
+}
+
+fn stream() -> Result<(), String> {
+    let picture = root().join("tee.png");
+    match fs::remove_file(&picture) {
+        Err(error) if picture.exists() => return Err(format!("{}: {error}", picture.display())),
+        _ => {}
+    }
+    done(&mut readme_command("cargo run --release --example stream")?)?;
+    let mut test = command("cargo test --package examples --test written_png -- --ignored");
+    done(test.env("SCANCSG_PNG", &picture))
+}
+
+fn package() -> Result<(), String> {
+    let list = "cargo package --package scancsg --locked --allow-dirty --no-verify --list";
+    let list = output(&mut command(list))?;
+    let strange: Vec<&str> = list.lines().filter(|path| !is_packaged(path)).collect();
+    let count = list.lines().count();
+    println!("{count} files");
+    match strange[..] {
+        [] if count > 0 => Ok(()),
+        _ => Err(format!("the package holds more than the crate: {}", strange.join(", "))),
+    }
+}
+
+/// Whether a file belongs to what a dependent gets.
+fn is_packaged(path: &str) -> bool {
+    let page = path.strip_prefix("docs/").filter(|name| !name.contains('/'));
+    let ends = [".md", ".png", ".svg"];
+    path.starts_with("src/")
+        || page.is_some_and(|name| ends.iter().any(|end| name.ends_with(end)))
+        || ["README.md", "CHANGELOG.md", ".cargo_vcs_info.json"].contains(&path)
+        || path.starts_with("LICENSE-")
+        || path.starts_with("Cargo.")
+}
+
+fn all_boards() -> Result<(), String> {
+    ensure_board_tools()?;
+    boards::measure(&Boards::default())
+}
+
+fn logs() -> Result<(), String> {
+    ensure_board_tools()?;
+    Board::SHORT.iter().try_for_each(|board| log::check(*board, Number::I16f16))
+}
+
+fn with_faults() -> Result<(), String> {
+    ensure_board_tools()?;
+    faults::check(&Board::SHORT, Number::I16f16)
+}
+
+/// The emulator, and compilers for the boards, from Debian where they are missing.
+fn ensure_board_tools() -> Result<(), String> {
+    let mut packages = Vec::new();
+    if !has_program("qemu-system-arm") {
+        packages.push("qemu-system-arm");
+    }
+    if !has_program("qemu-system-riscv32") {
+        packages.push("qemu-system-misc");
+    }
+    if Board::ALL.iter().any(|board| !toolchain::is_there(board.target())) {
+        packages.extend(toolchain::DEBIAN_PACKAGES.split(' '));
+    }
+    if packages.is_empty() {
+        return Ok(());
+    }
+    done(&mut command("apt-get update -q"))?;
+    done(command("apt-get install -y -q --no-install-recommends").args(packages))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_package_is_the_crate() {
+        let held =
+            ["src/solid/mod.rs", "docs/tee.png", "README.md", "LICENSE-MIT", "Cargo.toml.orig"];
+        assert!(held.iter().all(|path| is_packaged(path)));
+        let kept = [
+            "docs/speed_vs_error.csv",
+            "docs/old/page.md",
+            "tests/golden.rs",
+            "memory.x",
+            ".ci/run",
+        ];
+        assert!(!kept.iter().any(|path| is_packaged(path)));
+    }
+
+    #[test]
+    fn readme_has_the_commands() {
+        for start in ["cargo test", "cargo run --release --example stream"] {
+            assert_eq!(
+                readme_command(start).map(|command| format!("{command:?}").len() > 9),
+                Ok(true)
+            );
+        }
+    }
+
+    #[test]
+    fn steps_have_different_names() {
+        let mut names = STEPS.map(|step| step.name);
+        names.sort_unstable();
+        assert!(names.windows(2).all(|pair| pair[0] != pair[1]));
+    }
+
+    #[test]
+    fn a_step_that_is_not_there_is_an_error() {
+        let chosen = Ci { step: vec!["nothing".to_owned()], list: false };
+        assert!(run(&chosen).is_err_and(|problem| problem.contains("nothing")));
+    }
+}
