@@ -31,9 +31,11 @@ struct ListedLeaf {
     /// The first of its faces among all of the tree, and their number.
     first: u16,
     faces: u16,
-    /// Pushes the span, if there is one, to a stack of the right type.
-    push: Box<dyn Fn(&mut dyn Any)>,
+    /// Sets an `Option<Span<S>>` of the right number type.
+    set: Ask,
 }
+
+type Ask = Box<dyn Fn(&mut dyn Any)>;
 
 /// A primitive whose spans, along whatever line, are what it says as a [`Leaf`] of the pixel asked for:
 /// so that a tree of such primitives merges lists. Without a silhouette: it is asked in all columns and
@@ -53,7 +55,7 @@ impl<T: Solid> Solid for Listed<T> {
         let mut span: Option<Span<T::Scalar>> = None;
         LEAVES.with_borrow(|leaves| {
             let leaf = leaves.iter().find(|leaf| leaf.first == first.0).unwrap();
-            (leaf.push)(&mut span);
+            (leaf.set)(&mut span);
         });
         if let Some(Span { enter, exit }) = span {
             let at = |crossing: Crossing<_>| Crossing {
@@ -82,7 +84,7 @@ where
         let leaf = self.0;
         let view = leaf.view(rays);
         let held = RefCell::new((i32::MIN, T::Row::EMPTY));
-        let push = move |span: &mut dyn Any| {
+        let set = move |span: &mut dyn Any| {
             let (x, y, columns) = PIXEL.get();
             let (of_row, row) = &mut *held.borrow_mut();
             if *of_row != y {
@@ -96,7 +98,7 @@ where
         };
         LEAVES.with_borrow_mut(|leaves| {
             let first = leaves.last().map_or(0, |leaf| leaf.first + leaf.faces);
-            leaves.push(ListedLeaf { first, faces: T::FACES, push: Box::new(push) });
+            leaves.push(ListedLeaf { first, faces: T::FACES, set: Box::new(set) });
         });
     }
 

@@ -69,21 +69,21 @@ fn across<S: Copy>(axis: Axis, v: Vec3<S>) -> [S; 2] {
 
 impl<S: Float> Wall<S> {
     /// The vector from the axis to the line's origin, exactly.
-    fn from_axis(&self, axis: Axis, line: &Line<S>) -> [Double<S>; 2] {
+    fn axis_to_origin(&self, axis: Axis, line: &Line<S>) -> [Double<S>; 2] {
         let [o, base] = [line.origin, self.base].map(|v| across(axis, v));
         [Double::sum(o[0], -base[0]), Double::sum(o[1], -base[1])]
     }
 
     /// c = |q|² − r² for a wall along a coordinate axis, compensated.
     pub(super) fn aligned_gap(&self, axis: Axis, line: &Line<S>) -> S {
-        squared_less_square(self.from_axis(axis, line), self.radius)
+        squared_less_square(self.axis_to_origin(axis, line), self.radius)
     }
 
     /// Where a line is inside a wall along a coordinate axis, with D in twice the working precision.
     ///
     /// So are b and c, unless the line starts outside: there they don't cancel.
     pub(super) fn meet_aligned(&self, axis: Axis, line: &Line<S>) -> Roots<S> {
-        let (q, m) = (self.from_axis(axis, line), across(axis, line.direction));
+        let (q, m) = (self.axis_to_origin(axis, line), across(axis, line.direction));
         let [q0, q1] = q;
         let radius_squared = Double::product(self.radius, self.radius);
         let c = q0.high * q0.high + q1.high * q1.high - radius_squared.high;

@@ -221,7 +221,6 @@ where
 
 impl<O: Rule, L: Shape, R: Shape<Scalar = L::Scalar>> Boolean<O, L, R> {
     #[inline(never)]
-    #[expect(clippy::too_many_arguments, reason = "operands in registers")]
     fn outlined<Q: Question, P>(
         &self,
         view: &(L::View, R::View),
