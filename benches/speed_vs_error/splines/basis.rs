@@ -1,7 +1,7 @@
 //! What number types make of the rows of `tests/reference/bspline_basis.csv`.
 
 use super::exact::{self, Ratio};
-use super::methods::{F32, GRID, Kind};
+use super::kind::{F32, GRID, Kind};
 use super::table::{self, Row as Known};
 use scancsg::scalar::I16F16;
 use scancsg::spline::Knots;

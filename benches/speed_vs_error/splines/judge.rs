@@ -1,7 +1,8 @@
 //! Curves against exact fractions.
 
 use super::exact::{self, Ratio};
-use super::methods::{Kind, Ready};
+use super::kind::Kind;
+use super::methods::Ready;
 use super::sets::Case;
 
 /// What was found out about a method on some curves.

@@ -1,5 +1,6 @@
 //! What is compared: ways to evaluate a curve.
 
+use super::kind::{F32, GRID, Kind};
 use super::sets::{Case, POINTS, TICKS};
 use crate::timing::Pass;
 use enterpolation::bspline::BSpline;
@@ -9,30 +10,6 @@ use scancsg::scalar::I16F16;
 use scancsg::spline::{Baked, Curve, Knots, Outside, Sweep};
 use std::hint::black_box;
 use std::ops::{Add, Mul};
-
-/// The numbers that a method is asked with, and the unit of its error.
-#[derive(Clone, Copy)]
-pub struct Kind {
-    pub unit: &'static str,
-    pub nearest: fn(f64) -> f64,
-    pub largest: f64,
-    /// The unit for numbers of a size.
-    pub unit_of: fn(f64) -> f64,
-}
-
-pub const F32: Kind = Kind {
-    unit: "ulp",
-    nearest: |x| f64::from(x as f32),
-    largest: 1e15,
-    unit_of: |size| size.log2().floor().exp2() * f64::from(f32::EPSILON),
-};
-
-pub const GRID: Kind = Kind {
-    unit: "LSB",
-    nearest: |x| (x * 65536.0).round() / 65536.0,
-    largest: 32_767.0,
-    unit_of: |_| 1.0 / 65536.0,
-};
 
 /// A curve that is ready to be evaluated.
 pub struct Ready {
@@ -95,7 +72,7 @@ macro_rules! methods {
 /// The first one is what every time is a multiple of.
 pub const METHODS: &[Method] = methods! {
     ["enterpolation" "f32" F32 |_| true, enterpolation, None]
-    ["editable" "f32" F32 |_| true, single::editable, Some(1.5)]
+    ["editable" "f32" F32 |_| true, single::editable, Some(5.0)]
     ["baked" "f32" F32 |_| true, single::baked, Some(3.1)]
     ["editable" "I16F16" GRID |_| true, fixed::editable, Some(0.6)]
     ["baked" "I16F16" GRID |_| true, fixed::baked, Some(0.6)]

@@ -6,6 +6,7 @@ mod basis;
 #[allow(dead_code, clippy::unwrap_used)]
 mod exact;
 mod judge;
+mod kind;
 mod methods;
 mod plot;
 mod report;
@@ -18,7 +19,8 @@ pub use report::{csv, markdown, shortfalls, table};
 
 use crate::timing::{self, Cost};
 use judge::{Accuracy, Truth};
-use methods::{Kind, METHODS};
+use kind::Kind;
+use methods::METHODS;
 use sets::{Case, SETS, Set};
 
 /// A method on a set of curves of one order.
@@ -46,7 +48,7 @@ impl Results {
         let mut rows = Vec::new();
         for (set, order) in SETS.iter().flat_map(|set| [3, 4].map(|order| (set, order))) {
             let cases = set.cases(order, curves);
-            let known = [methods::F32, methods::GRID].map(|kind| known(&cases, kind));
+            let known = [kind::F32, kind::GRID].map(|kind| known(&cases, kind));
             let (mut accuracies, mut turns) = (Vec::new(), Vec::new());
             for method in METHODS {
                 let of_kind = known.iter().find(|(unit, _)| *unit == method.kind.unit);

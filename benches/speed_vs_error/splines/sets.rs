@@ -1,6 +1,6 @@
 //! The curves: knots and control points that are easy, and such that are not.
 
-use super::methods::Kind;
+use super::kind::Kind;
 use crate::random::Random;
 
 /// Control points of a curve.
