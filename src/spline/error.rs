@@ -125,7 +125,7 @@ pub enum SweepError {
     /// There are fewer ticks to a span than the degree, or so many that the common divisor of its basis
     /// functions exceeds 2³¹: (k−1)!·ticks^(k−1) for uniform knots and the order k.
     Ticks,
-    /// The step is not positive, or two knots are not a whole number of steps apart.
+    /// The step is not positive, or two knots are not an integer number of steps apart.
     Step,
 }
 

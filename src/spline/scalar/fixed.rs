@@ -1,4 +1,4 @@
-//! Splines in fixed point: whole numbers with guard bits, rounded once.
+//! Splines in fixed point: integers with guard bits, rounded once.
 
 use super::{SplineScalar, falling};
 use crate::scalar::integer::{divide, narrow, shift_right};

@@ -228,7 +228,7 @@ impl<S: FloatSpline> SplineScalar for S {
 
     #[inline]
     fn slope(a: Self, b: Self, degree: u16, low: Self, high: Self) -> Self {
-        // The product first: it is exact for the small whole numbers that most terms are.
+        // The product first: it is exact for the small integers that most terms are.
         if low < high { (b - a) * Self::from_int(degree.into()) / (high - low) } else { S::ZERO }
     }
 

@@ -32,7 +32,7 @@ pub trait SplineScalar: Scalar {
     /// A coefficient of a baked curve, and the local parameter of a span.
     #[doc(hidden)]
     type Coefficient: Copy + Debug + PartialEq + 'static;
-    /// A whole number without a sign: how many numbers lie between two of the type's.
+    /// An unsigned integer: how many numbers lie between two of the type's.
     #[doc(hidden)]
     type Key: Copy + Debug + Ord;
     /// What is done to the value of a baked polynomial at the end.

@@ -13,7 +13,7 @@ use tick_basis::TickBasis;
 ///
 /// At a tick i of a span, a spline times a common divisor of its basis functions is a polynomial in i
 /// with whole coefficients: over uniform knots T ticks apart, (k−1)! T^(k−1) for the order k. So its
-/// differences are whole numbers, and a step is k − 1 additions. Each number is kept as a whole part and
+/// differences are integers, and a step is k − 1 additions. Each number is kept as a whole part and
 /// a remainder, which makes the result the exact value, rounded to nearest, without a division; no error
 /// adds up however long a sweep is. Where a span begins, differences are computed anew, so that tick
 /// takes longer.
