@@ -3,6 +3,7 @@
 mod camera;
 mod picture;
 pub mod pixel;
+mod sample;
 mod shade;
 mod size;
 mod smooth;
@@ -10,8 +11,9 @@ mod source;
 
 pub use crate::solid::Rgb;
 pub use camera::{Camera, CameraError, Orthographic, Perspective};
-pub use picture::{Picture, RowError, Run, Sample, Scanline};
+pub use picture::{Picture, RowError, Run, Scanline};
 pub use pixel::{Blend, Gray8, Pixel, Rgb565};
+pub use sample::Sample;
 pub use shade::{Depth, Lambert, ShadeError, Shader, XRay};
 pub use size::{Size, SizeError};
 pub use smooth::{SmoothColumn, SmoothError, SmoothPicture, Smoothing};

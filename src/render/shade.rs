@@ -1,6 +1,6 @@
 //! Shading: from what a pixel's ray meets to a level of light.
 
-use super::Sample;
+use super::sample::Sample;
 use crate::geom::{Rays, Vec3};
 use crate::scalar::{Number, Scalar};
 use crate::scan::Scan;
