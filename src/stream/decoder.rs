@@ -1,7 +1,7 @@
 //! Bytes into packets: a push parser that any byte can be thrown at.
 
 use super::error::PacketError;
-use super::framing::{Reader, unseal};
+use super::framing::Reader;
 use super::wire::Packet;
 
 /// Finds packets in a stream of bytes, one byte at a time, whatever the bytes are.
@@ -57,7 +57,7 @@ impl<const N: usize> Decoder<N> {
     }
 
     fn parse(&self, end: Result<usize, PacketError>) -> Result<Packet<'_>, PacketError> {
-        Packet::parse(unseal(self.buffer.get(..end?).unwrap_or_default())?)
+        Packet::parse(self.buffer.get(..end?).unwrap_or_default())
     }
 }
 

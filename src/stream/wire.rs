@@ -9,7 +9,7 @@ use core::ops::Range;
 use super::codec::{Encoding, RowPayload};
 use super::crc::FrameHash;
 use super::error::{EncodeError, PacketError};
-use super::framing::{framed, seal};
+use super::framing::{framed, seal, unseal};
 use super::pixel::{PixelFormat, WirePixel};
 
 /// The version of the protocol, sent in every frame header. Another version is refused, not guessed at.
@@ -141,8 +141,9 @@ pub enum Packet<'a> {
 }
 
 impl<'a> Packet<'a> {
-    /// The packet with these contents, which have been taken out of their framing.
-    pub(super) fn parse(content: &'a [u8]) -> Result<Self, PacketError> {
+    /// The packet in these bytes, which have been taken out of their COBS frame.
+    pub(super) fn parse(bytes: &'a [u8]) -> Result<Self, PacketError> {
+        let content = unseal(bytes)?;
         match *content.first().ok_or(PacketError::Length)? {
             HEADER => FrameHeader::parse(content).map(Packet::Header),
             ROW => parse_row(content),
@@ -373,18 +374,18 @@ mod tests {
 
     use super::*;
     use crate::render::Rgb565;
-    use crate::stream::framing::{Reader, unseal};
+    use crate::stream::framing::Reader;
 
     const FORMAT: PixelFormat = PixelFormat::Rgb565;
 
-    /// The contents of the one packet on the line.
-    fn content<'a>(line: &[u8], buffer: &'a mut [u8]) -> &'a [u8] {
+    /// The one packet on the line, without its COBS frame.
+    fn unframed<'a>(line: &[u8], buffer: &'a mut [u8]) -> &'a [u8] {
         let mut reader = Reader::new();
         let mut ends = line.iter().filter_map(|byte| reader.step(buffer, *byte));
         let (len, None) = (ends.next().unwrap().unwrap(), ends.next()) else {
             panic!("more than one packet");
         };
-        unseal(&buffer[..len]).unwrap()
+        &buffer[..len]
     }
 
     /// Packet, encoder and bytes are one and the same. The bytes were written down from the table of the
@@ -397,8 +398,9 @@ mod tests {
     ) {
         let (mut line, mut buffer) = ([0; 64], [0; 64]);
         let len = encode(&mut line).unwrap();
-        assert_eq!(content(&line[..len], &mut buffer), bytes);
-        assert_eq!(Packet::parse(bytes), Ok(packet));
+        let unframed = unframed(&line[..len], &mut buffer);
+        assert_eq!(unseal(unframed), Ok(bytes));
+        assert_eq!(Packet::parse(unframed), Ok(packet));
         assert!(len <= framed(bytes.len()) + 1);
     }
 
