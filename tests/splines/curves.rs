@@ -4,8 +4,9 @@ use super::exact::{self, Ratio};
 use super::number::{Numeric, error};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use scancsg::geom::Vec3;
 use scancsg::scalar::I16F16;
-use scancsg::spline::Outside;
+use scancsg::spline::{Curve, Outside};
 use std::cell::Cell;
 use testkit::limits;
 
@@ -272,4 +273,10 @@ fn minus_zero_is_zero() {
     jumps::<f32>();
     jumps::<f64>();
     jumps::<I16F16>();
+}
+
+/// A curve holds its knots and control points, and nothing that is computed from them.
+#[test]
+fn an_editable_cubic_is_small() {
+    assert!(size_of::<Curve<Vec3<f32>, 4, 8, 12>>() <= 200);
 }
