@@ -17,7 +17,7 @@ use scancsg::geom::Rays;
 use scancsg::render::{
     Camera, Gray8, Lambert, Picture, Shader, Size, SmoothColumn, SmoothPicture, Smoothing, XRay,
 };
-use scancsg::scalar::{I16F16, Number, Real, Scalar};
+use scancsg::scalar::{I16F16, Number, Scalar};
 use scancsg::solid::{Scan, Solid};
 use scancsg::stream::WirePixel;
 use std::fmt::Write as _;

@@ -22,6 +22,7 @@ pub(crate) use scalar::Float;
 pub use scalar::{FixedPoint, Formula, Roots, Scalar};
 
 pub(crate) use crate::numeric::{Double, integer, two_sum};
-pub(crate) use const_ops::{ConstOps, Stretch};
+pub(crate) use const_ops::{ConstOps, per_scalar};
 pub(crate) use fixed::Fraction;
 pub(crate) use rebase::Rebased;
+pub(crate) use scalar::Stretch;

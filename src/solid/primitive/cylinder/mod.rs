@@ -8,9 +8,9 @@ mod tests;
 
 pub use open::{CylinderWall, WallHit};
 
-use crate::geom::{Direction, Line, Vec3};
+use crate::geom::{Axis, Direction, Line, Vec3};
 use crate::quadric::{Planes, WALL, Wall, meet};
-use crate::scalar::{ConstOps, FixedI32, Fraction, Real, Scalar, Stretch};
+use crate::scalar::{ConstOps, Real, Scalar, Stretch, per_scalar};
 use crate::scan::bounds::Bounds;
 use crate::scan::leaf;
 use crate::solid::Solid;
@@ -52,123 +52,197 @@ crate::error_text!(CylinderError {
 
 leaf!([S: Scalar] Cylinder<S>);
 
-macro_rules! constructors {
-    ($([$($generics:tt)*] $Scalar:ty),+) => {$(
-        impl<$($generics)*> Cylinder<$Scalar> {
-            /// A cylinder along the x axis, around the line at (`y`, `z`), from `x_min` to
-            /// `x_max`.
-            ///
-            /// # Errors
-            /// [`CylinderError::NotFinite`], [`CylinderError::Radius`], [`CylinderError::TooFar`], or
-            /// [`CylinderError::Empty`] where `x_min ≥ x_max`.
-            pub const fn along_x(
-                y: $Scalar,
-                z: $Scalar,
-                radius: $Scalar,
-                x_min: $Scalar,
-                x_max: $Scalar,
-            ) -> Result<Self, CylinderError> {
-                let axis = Direction::<$Scalar>::X;
-                Self::around(Vec3::new(ConstOps::<$Scalar>::ZERO, y, z), axis, radius, x_min, x_max)
-            }
+per_scalar! { $S: impl[] Cylinder<$S> {
+    /// A cylinder along the x axis, around the line at (`y`, `z`), from `x_min` to
+    /// `x_max`.
+    ///
+    /// # Errors
+    /// [`CylinderError::NotFinite`], [`CylinderError::Radius`], [`CylinderError::TooFar`], or
+    /// [`CylinderError::Empty`] where `x_min ≥ x_max`.
+    pub const fn along_x(
+        y: $S,
+        z: $S,
+        radius: $S,
+        x_min: $S,
+        x_max: $S,
+    ) -> Result<Self, CylinderError> {
+        let axis = Direction::<$S>::X;
+        Self::around(Vec3::new(ConstOps::<$S>::ZERO, y, z), axis, radius, x_min, x_max)
+    }
 
-            /// A cylinder along the y axis, around the line at (`x`, `z`), from `y_min` to
-            /// `y_max`.
-            ///
-            /// # Errors
-            /// As [`along_x`](Self::along_x).
-            pub const fn along_y(
-                x: $Scalar,
-                z: $Scalar,
-                radius: $Scalar,
-                y_min: $Scalar,
-                y_max: $Scalar,
-            ) -> Result<Self, CylinderError> {
-                let axis = Direction::<$Scalar>::Y;
-                Self::around(Vec3::new(x, ConstOps::<$Scalar>::ZERO, z), axis, radius, y_min, y_max)
-            }
+    /// A cylinder along the y axis, around the line at (`x`, `z`), from `y_min` to
+    /// `y_max`.
+    ///
+    /// # Errors
+    /// As [`along_x`](Self::along_x).
+    pub const fn along_y(
+        x: $S,
+        z: $S,
+        radius: $S,
+        y_min: $S,
+        y_max: $S,
+    ) -> Result<Self, CylinderError> {
+        let axis = Direction::<$S>::Y;
+        Self::around(Vec3::new(x, ConstOps::<$S>::ZERO, z), axis, radius, y_min, y_max)
+    }
 
-            /// A cylinder along the z axis, around the line at (`x`, `y`), from `z_min` to
-            /// `z_max`.
-            ///
-            /// # Errors
-            /// As [`along_x`](Self::along_x).
-            pub const fn along_z(
-                x: $Scalar,
-                y: $Scalar,
-                radius: $Scalar,
-                z_min: $Scalar,
-                z_max: $Scalar,
-            ) -> Result<Self, CylinderError> {
-                let axis = Direction::<$Scalar>::Z;
-                Self::around(Vec3::new(x, y, ConstOps::<$Scalar>::ZERO), axis, radius, z_min, z_max)
-            }
+    /// A cylinder along the z axis, around the line at (`x`, `y`), from `z_min` to
+    /// `z_max`.
+    ///
+    /// # Errors
+    /// As [`along_x`](Self::along_x).
+    pub const fn along_z(
+        x: $S,
+        y: $S,
+        radius: $S,
+        z_min: $S,
+        z_max: $S,
+    ) -> Result<Self, CylinderError> {
+        let axis = Direction::<$S>::Z;
+        Self::around(Vec3::new(x, y, ConstOps::<$S>::ZERO), axis, radius, z_min, z_max)
+    }
 
-            /// A cylinder from the middle of one cap to the middle of the other.
-            ///
-            /// The axis is rounded once, to the number type or in fixed point to 2⁻²⁸, so a cap may
-            /// lie off its end point by the rounding error of that point's coordinates. It is
-            /// computed in `f64` or in integers of 128 bits: better in a constant.
-            ///
-            /// # Errors
-            /// [`CylinderError::NotFinite`], [`CylinderError::Radius`], [`CylinderError::TooFar`], or
-            /// [`CylinderError::Empty`] where the points coincide.
-            pub const fn between(
-                from: Vec3<$Scalar>,
-                to: Vec3<$Scalar>,
-                radius: $Scalar,
-            ) -> Result<Self, CylinderError> {
-                if !(from.has_finite_coordinates() && to.has_finite_coordinates()) {
-                    return Err(CylinderError::NotFinite);
-                }
-                if !(from.is_within_reach() && to.is_within_reach()) {
-                    return Err(CylinderError::TooFar);
-                }
-                match ConstOps::<$Scalar>::stretch([from.x, from.y, from.z], [to.x, to.y, to.z]) {
-                    Some(Stretch { direction, low, high }) => {
-                        let axis = Direction::<$Scalar>::new(direction);
-                        Self::around(from, axis, radius, low, high)
-                    }
-                    None => Err(CylinderError::Empty),
-                }
-            }
-
-            const fn around(
-                base: Vec3<$Scalar>,
-                axis: Direction<$Scalar>,
-                radius: $Scalar,
-                low: $Scalar,
-                high: $Scalar,
-            ) -> Result<Self, CylinderError> {
-                if !base.has_finite_coordinates() || !ConstOps::<$Scalar>::is_finite(radius) {
-                    return Err(CylinderError::NotFinite);
-                }
-                if !ConstOps::<$Scalar>::is_radius(radius) {
-                    return Err(CylinderError::Radius);
-                }
-                if !base.is_within_reach() {
-                    return Err(CylinderError::TooFar);
-                }
-                if !(ConstOps::<$Scalar>::is_finite(low) && ConstOps::<$Scalar>::is_finite(high)) {
-                    return Err(CylinderError::NotFinite);
-                }
-                if !ConstOps::<$Scalar>::is_below(low, high) {
-                    return Err(CylinderError::Empty);
-                }
-                if !(ConstOps::<$Scalar>::is_within_reach(low)
-                    && ConstOps::<$Scalar>::is_within_reach(high))
-                {
-                    return Err(CylinderError::TooFar);
-                }
-                let curvature = ConstOps::<$Scalar>::inverse(radius);
-                let caps = Planes { normal: axis, low, high };
-                Ok(Self { wall: Wall { base, radius, curvature }, caps })
-            }
+    /// A cylinder from the middle of one cap to the middle of the other.
+    ///
+    /// The axis is rounded once, to the number type or in fixed point to 2⁻²⁸, so a cap may
+    /// lie off its end point by the rounding error of that point's coordinates. It is
+    /// computed in `f64` or in integers of 128 bits: better in a constant.
+    ///
+    /// # Errors
+    /// [`CylinderError::NotFinite`], [`CylinderError::Radius`], [`CylinderError::TooFar`], or
+    /// [`CylinderError::Empty`] where the points coincide.
+    pub const fn between(
+        from: Vec3<$S>,
+        to: Vec3<$S>,
+        radius: $S,
+    ) -> Result<Self, CylinderError> {
+        if !(from.has_finite_coordinates() && to.has_finite_coordinates()) {
+            return Err(CylinderError::NotFinite);
         }
-    )+};
-}
+        if !(from.is_within_reach() && to.is_within_reach()) {
+            return Err(CylinderError::TooFar);
+        }
+        match ConstOps::<$S>::stretch([from.x, from.y, from.z], [to.x, to.y, to.z]) {
+            Some(Stretch { direction, low, high }) => {
+                let axis = Direction::<$S>::new(direction);
+                Self::around(from, axis, radius, low, high)
+            }
+            None => Err(CylinderError::Empty),
+        }
+    }
 
-constructors!([] f32, [] f64, [F: Fraction] FixedI32<F>);
+    const fn around(
+        base: Vec3<$S>,
+        axis: Direction<$S>,
+        radius: $S,
+        low: $S,
+        high: $S,
+    ) -> Result<Self, CylinderError> {
+        if !base.has_finite_coordinates() || !ConstOps::<$S>::is_finite(radius) {
+            return Err(CylinderError::NotFinite);
+        }
+        if !ConstOps::<$S>::is_radius(radius) {
+            return Err(CylinderError::Radius);
+        }
+        if !base.is_within_reach() {
+            return Err(CylinderError::TooFar);
+        }
+        if !(ConstOps::<$S>::is_finite(low) && ConstOps::<$S>::is_finite(high)) {
+            return Err(CylinderError::NotFinite);
+        }
+        if !ConstOps::<$S>::is_below(low, high) {
+            return Err(CylinderError::Empty);
+        }
+        if !(ConstOps::<$S>::is_within_reach(low)
+            && ConstOps::<$S>::is_within_reach(high))
+        {
+            return Err(CylinderError::TooFar);
+        }
+        let curvature = ConstOps::<$S>::inverse(radius);
+        let caps = Planes { normal: axis, low, high };
+        Ok(Self { wall: Wall { base, radius, curvature }, caps })
+    }
+} }
+
+/// For any number type: what a type parameter can call. In constants, use the constructors above.
+impl<S: Scalar> Cylinder<S> {
+    /// A cylinder along a coordinate axis from `low` to `high`, with the other two coordinates `at`, in
+    /// the order x, y, z.
+    ///
+    /// ```
+    /// use scancsg::geom::Axis;
+    /// use scancsg::scalar::{I16F16, Scalar};
+    /// use scancsg::solid::{Cylinder, CylinderError};
+    ///
+    /// fn shaft<S: Scalar>() -> Result<Cylinder<S>, CylinderError> {
+    ///     let n = |tenths| S::from_ratio(tenths, 10);
+    ///     Cylinder::along(Axis::X, [n(0), n(0)], n(5), n(-20), n(20))
+    /// }
+    /// assert!(shaft::<f32>().is_ok() && shaft::<I16F16>().is_ok());
+    /// ```
+    ///
+    /// # Errors
+    /// As [`along_x`](Self::along_x).
+    pub fn along(
+        axis: Axis,
+        at: [S; 2],
+        radius: S,
+        low: S,
+        high: S,
+    ) -> Result<Self, CylinderError> {
+        let [u, v] = at;
+        let base = match axis {
+            Axis::X => Vec3::new(S::ZERO, u, v),
+            Axis::Y => Vec3::new(u, S::ZERO, v),
+            Axis::Z => Vec3::new(u, v, S::ZERO),
+        };
+        Self::checked(base, Direction::along_axis(axis), radius, low, high)
+    }
+
+    /// A cylinder from the middle of one cap to the middle of the other.
+    ///
+    /// # Errors
+    /// As [`between`](Self::between).
+    pub fn from_to(from: Vec3<S>, to: Vec3<S>, radius: S) -> Result<Self, CylinderError> {
+        if !(from.is_finite() && to.is_finite()) {
+            return Err(CylinderError::NotFinite);
+        }
+        if !(from.max_abs().is_within_range() && to.max_abs().is_within_range()) {
+            return Err(CylinderError::TooFar);
+        }
+        let (axis, [low, high]) = Direction::between(from, to).ok_or(CylinderError::Empty)?;
+        Self::checked(from, axis, radius, low, high)
+    }
+
+    fn checked(
+        base: Vec3<S>,
+        axis: Direction<S>,
+        radius: S,
+        low: S,
+        high: S,
+    ) -> Result<Self, CylinderError> {
+        if !(base.is_finite() && radius.is_finite()) {
+            return Err(CylinderError::NotFinite);
+        }
+        if !radius.is_radius() {
+            return Err(CylinderError::Radius);
+        }
+        if !base.max_abs().is_within_range() {
+            return Err(CylinderError::TooFar);
+        }
+        if !(low.is_finite() && high.is_finite()) {
+            return Err(CylinderError::NotFinite);
+        }
+        if low >= high {
+            return Err(CylinderError::Empty);
+        }
+        if !(low.is_within_range() && high.is_within_range()) {
+            return Err(CylinderError::TooFar);
+        }
+        let caps = Planes { normal: axis, low, high };
+        Ok(Self { wall: Wall { base, radius, curvature: radius.inverse() }, caps })
+    }
+}
 
 impl<S: Scalar> Shape for Cylinder<S> {
     type Scalar = S;

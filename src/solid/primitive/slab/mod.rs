@@ -3,9 +3,9 @@
 mod orthographic;
 mod perspective;
 
-use crate::geom::{Direction, Line, Vec3};
+use crate::geom::{Axis, Direction, Line, Vec3};
 use crate::quadric::{Planes, meet};
-use crate::scalar::{ConstOps, FixedI32, Fraction, Scalar};
+use crate::scalar::{ConstOps, Scalar, per_scalar};
 use crate::scan::leaf;
 use crate::solid::Solid;
 use crate::span::{Face, Shape, SpanStack};
@@ -44,75 +44,104 @@ crate::error_text!(SlabError {
     TooFar => "the slab is too far away for its number type",
 });
 
-macro_rules! constructors {
-    ($([$($generics:tt)*] $Scalar:ty),+) => {$(
-        impl<$($generics)*> Slab<$Scalar> {
-            /// The points with `low ≤ x ≤ high`.
-            ///
-            /// # Errors
-            /// [`SlabError::NotFinite`], [`SlabError::Empty`], [`SlabError::TooFar`].
-            pub const fn along_x(low: $Scalar, high: $Scalar) -> Result<Self, SlabError> {
-                Self::with_normal(Direction::<$Scalar>::X, low, high)
-            }
+per_scalar! { $S: impl[] Slab<$S> {
+    /// The points with `low ≤ x ≤ high`.
+    ///
+    /// # Errors
+    /// [`SlabError::NotFinite`], [`SlabError::Empty`], [`SlabError::TooFar`].
+    pub const fn along_x(low: $S, high: $S) -> Result<Self, SlabError> {
+        Self::with_normal(Direction::<$S>::X, low, high)
+    }
 
-            /// The points with `low ≤ y ≤ high`.
-            ///
-            /// # Errors
-            /// As [`along_x`](Self::along_x).
-            pub const fn along_y(low: $Scalar, high: $Scalar) -> Result<Self, SlabError> {
-                Self::with_normal(Direction::<$Scalar>::Y, low, high)
-            }
+    /// The points with `low ≤ y ≤ high`.
+    ///
+    /// # Errors
+    /// As [`along_x`](Self::along_x).
+    pub const fn along_y(low: $S, high: $S) -> Result<Self, SlabError> {
+        Self::with_normal(Direction::<$S>::Y, low, high)
+    }
 
-            /// The points with `low ≤ z ≤ high`.
-            ///
-            /// # Errors
-            /// As [`along_x`](Self::along_x).
-            pub const fn along_z(low: $Scalar, high: $Scalar) -> Result<Self, SlabError> {
-                Self::with_normal(Direction::<$Scalar>::Z, low, high)
-            }
+    /// The points with `low ≤ z ≤ high`.
+    ///
+    /// # Errors
+    /// As [`along_x`](Self::along_x).
+    pub const fn along_z(low: $S, high: $S) -> Result<Self, SlabError> {
+        Self::with_normal(Direction::<$S>::Z, low, high)
+    }
 
-            /// The points with `low ≤ n·p ≤ high`, where n is `normal` brought to length 1.
-            ///
-            /// That is computed in `f64` or in integers of 128 bits: better in a constant.
-            ///
-            /// # Errors
-            /// As [`along_x`](Self::along_x), and [`SlabError::ZeroNormal`].
-            pub const fn new(
-                normal: Vec3<$Scalar>,
-                low: $Scalar,
-                high: $Scalar,
-            ) -> Result<Self, SlabError> {
-                if !normal.has_finite_coordinates() {
-                    return Err(SlabError::NotFinite);
-                }
-                match ConstOps::<$Scalar>::normalized([normal.x, normal.y, normal.z]) {
-                    Some(normal) => Self::with_normal(Direction::<$Scalar>::new(normal), low, high),
-                    None => Err(SlabError::ZeroNormal),
-                }
-            }
-
-            /// The slab of a normal.
-            pub(in crate::solid) const fn with_normal(
-                normal: Direction<$Scalar>,
-                low: $Scalar,
-                high: $Scalar,
-            ) -> Result<Self, SlabError> {
-                if !(ConstOps::<$Scalar>::is_finite(low) && ConstOps::<$Scalar>::is_finite(high)) {
-                    return Err(SlabError::NotFinite);
-                }
-                if !ConstOps::<$Scalar>::is_below(low, high) {
-                    return Err(SlabError::Empty);
-                }
-                if !(ConstOps::<$Scalar>::is_within_reach(low) && ConstOps::<$Scalar>::is_within_reach(high)) {
-                    return Err(SlabError::TooFar);
-                }
-                Ok(Self { planes: Planes { normal, low, high } })
-            }
+    /// The points with `low ≤ n·p ≤ high`, where n is `normal` brought to length 1.
+    ///
+    /// That is computed in `f64` or in integers of 128 bits: better in a constant.
+    ///
+    /// # Errors
+    /// As [`along_x`](Self::along_x), and [`SlabError::ZeroNormal`].
+    pub const fn new(
+        normal: Vec3<$S>,
+        low: $S,
+        high: $S,
+    ) -> Result<Self, SlabError> {
+        if !normal.has_finite_coordinates() {
+            return Err(SlabError::NotFinite);
         }
-    )+};
-}
+        match ConstOps::<$S>::normalized([normal.x, normal.y, normal.z]) {
+            Some(normal) => Self::with_normal(Direction::<$S>::new(normal), low, high),
+            None => Err(SlabError::ZeroNormal),
+        }
+    }
 
-constructors!([] f32, [] f64, [F: Fraction] FixedI32<F>);
+    /// The slab of a normal.
+    pub(in crate::solid) const fn with_normal(
+        normal: Direction<$S>,
+        low: $S,
+        high: $S,
+    ) -> Result<Self, SlabError> {
+        if !(ConstOps::<$S>::is_finite(low) && ConstOps::<$S>::is_finite(high)) {
+            return Err(SlabError::NotFinite);
+        }
+        if !ConstOps::<$S>::is_below(low, high) {
+            return Err(SlabError::Empty);
+        }
+        if !(ConstOps::<$S>::is_within_reach(low) && ConstOps::<$S>::is_within_reach(high)) {
+            return Err(SlabError::TooFar);
+        }
+        Ok(Self { planes: Planes { normal, low, high } })
+    }
+} }
+
+/// For any number type: what a type parameter can call. In constants, use the constructors above.
+impl<S: Scalar> Slab<S> {
+    /// The points whose coordinate along an axis is from `low` to `high`.
+    ///
+    /// # Errors
+    /// As [`along_x`](Self::along_x).
+    pub fn across(axis: Axis, low: S, high: S) -> Result<Self, SlabError> {
+        Self::checked(Direction::along_axis(axis), low, high)
+    }
+
+    /// The points with `low ≤ n·p ≤ high`, where n is `normal` brought to length 1.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn facing(normal: Vec3<S>, low: S, high: S) -> Result<Self, SlabError> {
+        if !normal.is_finite() {
+            return Err(SlabError::NotFinite);
+        }
+        Self::checked(Direction::normalized(normal).ok_or(SlabError::ZeroNormal)?, low, high)
+    }
+
+    fn checked(normal: Direction<S>, low: S, high: S) -> Result<Self, SlabError> {
+        if !(low.is_finite() && high.is_finite()) {
+            return Err(SlabError::NotFinite);
+        }
+        if low >= high {
+            return Err(SlabError::Empty);
+        }
+        if !(low.is_within_range() && high.is_within_range()) {
+            return Err(SlabError::TooFar);
+        }
+        Ok(Self { planes: Planes { normal, low, high } })
+    }
+}
 
 impl<S: Scalar> Shape for Slab<S> {
     type Scalar = S;

@@ -5,7 +5,7 @@ mod perspective;
 
 use crate::geom::{Line, Vec3};
 use crate::quadric::{Ball, meet};
-use crate::scalar::{ConstOps, FixedI32, Fraction, Scalar};
+use crate::scalar::{ConstOps, Scalar, per_scalar};
 use crate::scan::bounds::Bounds;
 use crate::scan::leaf;
 use crate::solid::Solid;
@@ -41,36 +41,50 @@ crate::error_text!(SphereError {
     TooFar => "the sphere is too far away for its number type",
 });
 
-macro_rules! constructors {
-    ($([$($generics:tt)*] $Scalar:ty),+) => {$(
-        impl<$($generics)*> Sphere<$Scalar> {
-            /// A sphere around `center`.
-            ///
-            /// # Errors
-            /// [`SphereError::NotFinite`], [`SphereError::Radius`], [`SphereError::TooFar`].
-            pub const fn new(
-                center: Vec3<$Scalar>,
-                radius: $Scalar,
-            ) -> Result<Self, SphereError> {
-                if !center.has_finite_coordinates() || !ConstOps::<$Scalar>::is_finite(radius) {
-                    return Err(SphereError::NotFinite);
-                }
-                if !ConstOps::<$Scalar>::is_radius(radius) {
-                    return Err(SphereError::Radius);
-                }
-                if !center.is_within_reach() {
-                    return Err(SphereError::TooFar);
-                }
-                Ok(Self {
-                    ball: Ball { center, radius },
-                    curvature: ConstOps::<$Scalar>::inverse(radius),
-                })
-            }
+per_scalar! { $S: impl[] Sphere<$S> {
+    /// A sphere around `center`.
+    ///
+    /// # Errors
+    /// [`SphereError::NotFinite`], [`SphereError::Radius`], [`SphereError::TooFar`].
+    pub const fn new(
+        center: Vec3<$S>,
+        radius: $S,
+    ) -> Result<Self, SphereError> {
+        if !center.has_finite_coordinates() || !ConstOps::<$S>::is_finite(radius) {
+            return Err(SphereError::NotFinite);
         }
-    )+};
-}
+        if !ConstOps::<$S>::is_radius(radius) {
+            return Err(SphereError::Radius);
+        }
+        if !center.is_within_reach() {
+            return Err(SphereError::TooFar);
+        }
+        Ok(Self {
+            ball: Ball { center, radius },
+            curvature: ConstOps::<$S>::inverse(radius),
+        })
+    }
+} }
 
-constructors!([] f32, [] f64, [F: Fraction] FixedI32<F>);
+/// For any number type: what a type parameter can call. In constants, use [`new`](Self::new).
+impl<S: Scalar> Sphere<S> {
+    /// A sphere around `center`.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn around(center: Vec3<S>, radius: S) -> Result<Self, SphereError> {
+        if !(center.is_finite() && radius.is_finite()) {
+            return Err(SphereError::NotFinite);
+        }
+        if !radius.is_radius() {
+            return Err(SphereError::Radius);
+        }
+        if !center.max_abs().is_within_range() {
+            return Err(SphereError::TooFar);
+        }
+        Ok(Self { ball: Ball { center, radius }, curvature: radius.inverse() })
+    }
+}
 
 impl<S: Scalar> Shape for Sphere<S> {
     type Scalar = S;
