@@ -110,7 +110,7 @@ pub fn markdown(results: &Results, balls: &Results) -> String {
         "# Speed against error\n\n\
          Made by `{COMMAND}`, which also writes `speed_vs_error.csv` (every set, more figures) and \
          the plot.\n\n\
-         ![Time against error of each method](speed_vs_error.svg)\n\n\
+         ![Time against error of each method](../speed_vs_error.svg)\n\n\
          {} rays in each of {} sets, against a cylinder with caps; in the sets named \"moved\" and \"past\", it \
          stands along any coordinate axis and away from the origin. Time is a multiple of the \
          textbook `f32` formula's in the same run, and differs from machine to machine; this one \

@@ -18,7 +18,7 @@ pub struct Boards {
     #[arg(long, value_name = "FILE.png")]
     png: Option<PathBuf>,
 
-    /// Write the expected instruction counts, and docs/boards.md, anew
+    /// Write the expected instruction counts, and docs/measured/boards.md, anew
     #[arg(long)]
     overwrite: bool,
 }
