@@ -10,6 +10,7 @@ extern crate testkit;
 use testkit::{caster, limits, number};
 
 mod bad_input;
+mod by_line;
 mod constructors;
 mod cylinders;
 mod fixed_point;
