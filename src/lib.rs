@@ -1,9 +1,20 @@
 //! Ray-cast solids on a microcontroller, one scanline at a time.
 //!
-//! A part is a typed expression of primitives ([`solid`]), a picture of it is asked for row by row
-//! ([`render`]), and a row goes through a serial line as a packet ([`stream`]). There is no
-//! allocator, no frame buffer and no global state; nothing panics; and the same input gives the
-//! same bits on every target.
+//! A part is a typed expression of primitives. A picture of it is rendered row by row, and each row
+//! goes through a serial line as a packet. The crate needs no allocator, no frame buffer and no global
+//! state. It never panics. The same input gives the same bits on every target.
+//!
+//! | to | use |
+//! |---|---|
+//! | make parts, combine them, cast single rays at them | [`solid`] |
+//! | render pictures, with shading and pixels of your choice | [`render`] |
+//! | send pictures through a serial line, and receive them | [`stream`] |
+//! | evaluate, edit or bake B-splines | [`spline`] |
+//! | place parts, describe rays | [`geom`] |
+//! | choose a number type: `f32`, fixed point, `f64` on hosts | [`scalar`] |
+//! | read lists of spans, or walk a boolean tree of your own | [`span`] |
+//! | see how a picture scans a solid, or bound one | [`scan`] |
+//! | put a part into flash, and check it while compiling | [`constant!`] |
 //!
 //! ```
 //! use scancsg::geom::vec3;
@@ -47,9 +58,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Formulas, their sources and the reasons for the structure are in `docs/architecture.md`, and what is
-//! known of errors in `docs/numerics.md`, of the
-//! repository.
+//! The repository's `docs/architecture.md` has the structure, its reasons, the formulas and their
+//! sources. `docs/numerics.md` has the measured errors.
 
 #![no_std]
 
@@ -73,3 +83,7 @@ pub(crate) use error::error_text;
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+#[cfg(doctest)]
+#[doc = include_str!("../docs/architecture.md")]
+struct Architecture;
