@@ -1,17 +1,17 @@
 //! The host: chooses what is rendered, gives it a line, and looks at what comes out.
 
-use crate::args::{self, Args, Camera, Format, Number, Path, Shade};
+use crate::args::{self, Args, Camera, Format, Number, Path};
 use crate::host::image::write_png;
 use crate::host::port::{self, Faults, Heard, Port, Wire};
 use crate::host::receive::{CAPACITY, Ending, Frame, Session};
 use crate::host::terminal::Display;
 use crate::scene::LAP;
 use crate::scene::pipe::PipeScene;
+use crate::shading::Shading;
 use clap::Parser;
 use scancsg::geom::{OrthographicRays, PerspectiveRays, Pose, Rays};
 use scancsg::render::{
-    Blend, Depth, Gray8, Lambert, Picture, Rgb565, Shader, Size, SmoothColumn, SmoothPicture,
-    Smoothing, XRay,
+    Blend, Gray8, Picture, Rgb565, Size, SmoothColumn, SmoothPicture, Smoothing,
 };
 use scancsg::scalar::I16F16;
 use scancsg::solid::{Placed, Scan, Solid};
@@ -281,39 +281,8 @@ where
     T: Part<S>,
     P: Blend + WirePixel,
 {
-    let n = S::hundredths;
-    let text = |error: scancsg::render::ShadeError| error.to_string();
-    match args.shade {
-        Shade::Lambert => {
-            let light = Lambert::new(S::TO_LIGHT, n(15)).map_err(text)?;
-            send_seen(args, line, sent, part, light, background)
-        }
-        // The part fits a ball of radius 2.6 around the origin.
-        Shade::Depth => {
-            let depth = Depth::new(n(-260), n(260)).map_err(text)?;
-            send_seen(args, line, sent, part, depth, background)
-        }
-        Shade::Xray => {
-            let xray = XRay::new(n(400)).map_err(text)?;
-            send_seen(args, line, sent, part, xray, background)
-        }
-    }
-}
-
-fn send_seen<S, T, H, P>(
-    args: &Args,
-    line: HostLine,
-    sent: &mut dyn FnMut(u16),
-    part: &T,
-    shader: H,
-    background: P,
-) -> Result<Sent, String>
-where
-    S: Choice,
-    T: Part<S>,
-    H: Shader<S> + Copy,
-    P: Blend + WirePixel,
-{
+    let shading = Shading::new(args.shade, S::TO_LIGHT, S::hundredths);
+    let shading = shading.map_err(|error| error.to_string())?;
     // Where the camera is in a frame, unless it stays where it is.
     let eye = |frame: u16| match args.path {
         Path::Turn => Ok(None),
@@ -328,30 +297,29 @@ where
             let camera = |frame| {
                 eye(frame)?.map_or_else(S::orthographic, S::orthographic_from).map_err(text)
             };
-            send_frames(args, line, sent, part, camera, shader, background)
+            send_frames(args, line, sent, part, camera, shading, background)
         }
         Camera::Persp => {
             let camera =
                 |frame| eye(frame)?.map_or_else(S::perspective, S::perspective_from).map_err(text);
-            send_frames(args, line, sent, part, camera, shader, background)
+            send_frames(args, line, sent, part, camera, shading, background)
         }
     }
 }
 
-fn send_frames<S, T, C, H, P>(
+fn send_frames<S, T, C, P>(
     args: &Args,
     line: HostLine,
     sent: &mut dyn FnMut(u16),
     part: &T,
     camera: impl Fn(u16) -> Result<C, String>,
-    shader: H,
+    shading: Shading<S>,
     background: P,
 ) -> Result<Sent, String>
 where
     S: Choice,
     C: scancsg::render::Camera<Rays: Rays<Scalar = S>>,
     T: Solid<Scalar = S> + Scan<C::Rays>,
-    H: Shader<S> + Copy,
     P: Blend + WirePixel,
 {
     let size: Size = args.size;
@@ -369,14 +337,14 @@ where
         let camera = camera(frame)?;
         let delivery = match args.smooth {
             None => {
-                let mut picture = Picture::new(&turned, &camera, size, shader, background);
+                let mut picture = Picture::new(&turned, &camera, size, shading, background);
                 serve(&mut picture, frame, &mut sender, &mut pixels, LINE_PATIENCE)
             }
             Some(samples) => {
                 let smoothing = Smoothing::new(size, samples, &mut columns)
                     .map_err(|error| error.to_string())?;
                 let mut picture =
-                    SmoothPicture::new(&turned, &camera, smoothing, shader, background);
+                    SmoothPicture::new(&turned, &camera, smoothing, shading, background);
                 serve(&mut picture, frame, &mut sender, &mut pixels, LINE_PATIENCE)
             }
         };

@@ -21,6 +21,8 @@ mod host;
 mod loopback;
 #[path = "../scene/mod.rs"]
 mod scene;
+#[cfg(not(target_os = "none"))]
+mod shading;
 
 #[cfg(not(target_os = "none"))]
 fn main() -> std::process::ExitCode {
