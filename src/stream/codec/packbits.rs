@@ -18,8 +18,35 @@ const MAX_CHUNK: usize = 128;
 /// The control byte that stands for nothing: -128.
 const NO_OP: u8 = 0x80;
 
-/// A row cut into chunks: control bytes, each with the pixels after it. Walking it costs no memory, so an
-/// encoder walks it twice: once for the length, once for the bytes.
+/// One control byte's worth of pixels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Chunk<'a, P> {
+    /// 1..=128 pixels as they are.
+    Literal(&'a [P]),
+    /// One pixel, 2..=128 times.
+    Repeat(P, u8),
+}
+
+impl<P> Chunk<'_, P> {
+    /// The control byte before the chunk's pixels.
+    const fn control(&self) -> u8 {
+        match *self {
+            Self::Literal(pixels) => (pixels.len() as u8).wrapping_sub(1),
+            Self::Repeat(_, count) => 1_u8.wrapping_sub(count),
+        }
+    }
+
+    /// The pixels after the control byte.
+    const fn pixels(&self) -> &[P] {
+        match self {
+            Self::Literal(pixels) => pixels,
+            Self::Repeat(pixel, _) => core::slice::from_ref(pixel),
+        }
+    }
+}
+
+/// A row cut into chunks. Walking it costs no memory, so an encoder walks it twice: once for the
+/// length, once for the bytes.
 struct Chunks<'a, P> {
     rest: &'a [P],
 }
@@ -32,7 +59,7 @@ const fn chunks<P: WirePixel>(pixels: &[P]) -> Chunks<'_, P> {
 /// The size of the packed pixels in bytes.
 pub(super) fn len<P: WirePixel>(pixels: &[P]) -> usize {
     chunks(pixels)
-        .fold(0, |sum: usize, (_, pixels)| sum.saturating_add(raw::len(pixels)).saturating_add(1))
+        .fold(0, |sum: usize, chunk| sum.saturating_add(raw::len(chunk.pixels())).saturating_add(1))
 }
 
 /// Gives the packed pixels to `put`, some bytes at a time.
@@ -40,38 +67,38 @@ pub(super) fn pack<P: WirePixel, E>(
     pixels: &[P],
     put: &mut impl FnMut(&[u8]) -> Result<(), E>,
 ) -> Result<(), E> {
-    chunks(pixels).try_for_each(|(control, pixels)| {
-        put(&[control])?;
-        raw::pack(pixels, put)
+    chunks(pixels).try_for_each(|chunk| {
+        put(&[chunk.control()])?;
+        raw::pack(chunk.pixels(), put)
     })
 }
 
 impl<'a, P: WirePixel> Iterator for Chunks<'a, P> {
-    type Item = (u8, &'a [P]);
+    type Item = Chunk<'a, P>;
 
-    fn next(&mut self) -> Option<(u8, &'a [P])> {
-        let row = self.rest;
+    fn next(&mut self) -> Option<Chunk<'a, P>> {
+        let first = *self.rest.first()?;
         // With no literal open, a run of two is never longer than the literal that it replaces.
-        let run = run_length(row, MAX_CHUNK);
+        let run = run_length(self.rest, MAX_CHUNK);
         if run >= 2 {
-            self.rest = row.get(run..).unwrap_or_default();
-            return Some((1_u8.wrapping_sub(run as u8), row.get(..1)?));
+            self.rest = self.rest.get(run..).unwrap_or_default();
+            return Some(Chunk::Repeat(first, run as u8));
         }
         // A run that breaks a literal in two costs a control byte more. Two pixels of two bytes pay for
         // it (4 bytes against 1 + 2 + 1), one-byte pixels only from three on (3 bytes against 1 + 1 + 1).
         let worthwhile = if P::FORMAT.bytes_per_pixel() == 1 { 3 } else { 2 };
-        let mut len = run;
+        let mut len = 1;
         while len < MAX_CHUNK {
-            let run = run_length(row.get(len..).unwrap_or_default(), worthwhile);
+            let run = run_length(self.rest.get(len..).unwrap_or_default(), worthwhile);
             if run == 0 || run >= worthwhile {
                 break;
             }
             len += run;
         }
-        let (literal, rest) = row.split_at_checked(len.min(MAX_CHUNK))?;
-        self.rest = rest;
-        let control = (literal.len() as u8).checked_sub(1)?;
-        Some((control, literal))
+        let len = len.min(MAX_CHUNK);
+        let literal = self.rest.get(..len)?;
+        self.rest = self.rest.get(len..).unwrap_or_default();
+        Some(Chunk::Literal(literal))
     }
 }
 
@@ -159,7 +186,10 @@ mod tests {
     fn chunks_of_a_row() {
         let row: Vec<_> = [1, 2, 2, 3, 3, 3, 3, 4].map(Gray8).into();
         let cut: Vec<_> = chunks(&row).collect();
-        assert_eq!(cut, [(2, &row[..3]), (0xFD, &row[3..4]), (0, &row[7..])]);
+        assert_eq!(
+            cut,
+            [Chunk::Literal(&row[..3]), Chunk::Repeat(Gray8(3), 4), Chunk::Literal(&row[7..])]
+        );
         assert_eq!(packed(&row), [2, 1, 2, 2, 0xFD, 3, 0, 4]);
     }
 
