@@ -18,7 +18,7 @@ use scancsg::render::{
     Camera, Gray8, Lambert, Picture, Pixel, Shader, Size, SmoothColumn, SmoothPicture, Smoothing,
     XRay,
 };
-use scancsg::scalar::{I16F16, Number, Real, Scalar};
+use scancsg::scalar::{I16F16, Number, Scalar};
 use scancsg::solid::{Scan, Solid};
 use std::fmt::Write as _;
 use std::path::Path;

@@ -1,7 +1,7 @@
 //! Unit vectors that know whether they point along a coordinate axis.
 
 use super::vec3::Vec3;
-use crate::scalar::{ConstOps, FixedI32, Fraction, Number, Scalar};
+use crate::scalar::{ConstOps, Number, Scalar, Stretch, per_scalar};
 
 /// A vector of length 1 (up to rounding).
 ///
@@ -26,25 +26,13 @@ pub enum Axis {
     Z,
 }
 
-macro_rules! constructors {
-    ($([$($generics:tt)*] $Scalar:ty),+) => {$(
-        impl<$($generics)*> Direction<$Scalar> {
-            /// The direction of a vector that has length 1.
-            pub(crate) const fn new(vector: [<$Scalar as Scalar>::Unit; 3]) -> Self {
-                let along = match ConstOps::<$Scalar>::axis(vector) {
-                    Some(0) => Some(Axis::X),
-                    Some(1) => Some(Axis::Y),
-                    Some(2) => Some(Axis::Z),
-                    _ => None,
-                };
-                let [x, y, z] = vector;
-                Self { vector: Vec3 { x, y, z }, along }
-            }
-        }
-    )+};
-}
-
-constructors!([] f32, [] f64, [F: Fraction] FixedI32<F>);
+per_scalar! { $S: impl[] Direction<$S> {
+    /// As [`from_unit`](Self::from_unit), for constants.
+    pub(crate) const fn new(vector: [<$S as Scalar>::Unit; 3]) -> Self {
+        let [x, y, z] = vector;
+        Self { vector: Vec3 { x, y, z }, along: Axis::with(ConstOps::<$S>::zeros(vector)) }
+    }
+} }
 
 impl<S: Scalar> Direction<S> {
     pub(crate) const X: Self = Self {
@@ -59,6 +47,36 @@ impl<S: Scalar> Direction<S> {
         vector: Vec3::new(S::Unit::ZERO, S::Unit::ZERO, S::Unit::ONE),
         along: Some(Axis::Z),
     };
+
+    /// The direction of an axis.
+    #[allow(dead_code)] // for constructors of any number type
+    pub(crate) const fn along_axis(axis: Axis) -> Self {
+        match axis {
+            Axis::X => Self::X,
+            Axis::Y => Self::Y,
+            Axis::Z => Self::Z,
+        }
+    }
+
+    /// The direction of a vector that has length 1.
+    #[allow(dead_code)] // for constructors of any number type
+    pub(crate) fn from_unit(vector: [S::Unit; 3]) -> Self {
+        let along = Axis::with(vector.map(|coordinate| coordinate == S::Unit::ZERO));
+        Self { vector: Vec3::from(vector), along }
+    }
+
+    /// The direction of a finite vector, or `None` for zero.
+    #[allow(dead_code)] // for constructors of any number type
+    pub(crate) fn normalized(vector: Vec3<S>) -> Option<Self> {
+        S::normalized(vector.to_array()).map(Self::from_unit)
+    }
+
+    /// The direction from one point to another, and where along it they lie, or `None` if they coincide.
+    #[allow(dead_code)] // for constructors of any number type
+    pub(crate) fn between(from: Vec3<S>, to: Vec3<S>) -> Option<(Self, [S; 2])> {
+        let Stretch { direction, low, high } = S::stretch(from.to_array(), to.to_array())?;
+        Some((Self::from_unit(direction), [low, high]))
+    }
 
     /// The vector.
     #[inline]
@@ -108,6 +126,16 @@ impl<S: Scalar> Direction<S> {
 }
 
 impl Axis {
+    /// The axis of a vector, of which some coordinates are zero.
+    const fn with(zeros: [bool; 3]) -> Option<Self> {
+        match zeros {
+            [_, true, true] => Some(Self::X),
+            [true, _, true] => Some(Self::Y),
+            [true, true, _] => Some(Self::Z),
+            _ => None,
+        }
+    }
+
     /// The coordinates of a vector, this axis's first and the others in any order: two change places.
     #[inline]
     pub(crate) fn turned<T: Copy>(self, v: Vec3<T>) -> [T; 3] {
@@ -125,6 +153,74 @@ impl Axis {
             Self::X => [v.y, v.z],
             Self::Y => [v.z, v.x],
             Self::Z => [v.x, v.y],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::{FixedI32, I16F16};
+    use fixed::types::extra::U28;
+    use proptest::prelude::*;
+
+    /// What constants have, a type parameter has, too.
+    macro_rules! same {
+        ($S:ty, $from:expr, $to:expr) => {{
+            let (from, to): ([$S; 3], [$S; 3]) = ($from, $to);
+            let constant = ConstOps::<$S>::normalized(to).map(Direction::<$S>::new);
+            prop_assert_eq!(Direction::normalized(Vec3::from(to)), constant);
+            let constant = ConstOps::<$S>::stretch(from, to)
+                .map(|it| (Direction::<$S>::new(it.direction), [it.low, it.high]));
+            prop_assert_eq!(Direction::between(Vec3::from(from), Vec3::from(to)), constant);
+            for x in to {
+                prop_assert_eq!(x.is_within_range(), ConstOps::<$S>::is_within_reach(x));
+                prop_assert_eq!(x.is_radius(), ConstOps::<$S>::is_radius(x));
+                if x.is_radius() {
+                    prop_assert_eq!(x.inverse(), ConstOps::<$S>::inverse(x));
+                }
+            }
+        }};
+    }
+
+    fn numbers() -> impl Strategy<Value = [i32; 3]> {
+        let number = prop_oneof![any::<i32>(), -2..=2, Just(1 << 28), Just((1 << 28) + 1)];
+        [number.clone(), number.clone(), number]
+    }
+
+    proptest! {
+        #[test]
+        fn all_number_types(from in numbers(), to in numbers()) {
+            same!(I16F16, from.map(I16F16::from_bits), to.map(I16F16::from_bits));
+            type Fine = FixedI32<U28>;
+            same!(Fine, from.map(Fine::from_bits), to.map(Fine::from_bits));
+            same!(f64, from.map(f64::from), to.map(f64::from));
+            same!(f32, from.map(|x| x as f32 * 1e7), to.map(|x| x as f32 * 1e7));
+            same!(f32, from.map(|x| x as f32), to.map(|x| x as f32 * 1e-12));
+        }
+
+        #[test]
+        fn quotients_are_rounded(numerator: i32, denominator: i32, drop in 0..31u32) {
+            let (numerator, denominator) = (numerator >> drop, denominator >> (30 - drop));
+            prop_assume!(denominator != 0);
+            let exact = f64::from(numerator) / f64::from(denominator);
+            prop_assert_eq!(f64::from_ratio(numerator, denominator), exact);
+            let fixed = I16F16::from_ratio(numerator, denominator);
+            let bits = (exact * 65_536.0).clamp(i32::MIN.into(), i32::MAX.into());
+            prop_assert!((f64::from(fixed.to_bits()) - bits).abs() <= 0.5);
+            if numerator.abs() <= 1 << 24 && denominator.abs() <= 1 << 24 {
+                prop_assert_eq!(f32::from_ratio(numerator, denominator), exact as f32);
+            }
+            prop_assert_eq!(I16F16::from_ratio(numerator, 1), I16F16::from_int(numerator));
+        }
+    }
+
+    #[test]
+    fn axes() {
+        for (axis, unit) in
+            [(Axis::X, [1.0, 0.0, 0.0]), (Axis::Y, [0.0, 1.0, 0.0]), (Axis::Z, [0.0, 0.0, 1.0])]
+        {
+            assert_eq!(Direction::<f32>::along_axis(axis), Direction::from_unit(unit));
         }
     }
 }

@@ -7,9 +7,10 @@ mod ray;
 mod rays;
 mod vec3;
 
-pub(crate) use direction::{Axis, Direction};
+pub(crate) use direction::Direction;
 
 pub use columns::{Affine, Column, Extent};
+pub use direction::Axis;
 pub use pose::{Pose, PoseError};
 pub use ray::{Line, Ray, RayError};
 pub use rays::{OrthographicRays, OrthographicRow, PerspectiveRays, PerspectiveRow, RayRow, Rays};

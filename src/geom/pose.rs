@@ -2,7 +2,7 @@
 
 use super::ray::Line;
 use super::vec3::Vec3;
-use crate::scalar::{FixedI32, Fraction, Number, Real, Scalar};
+use crate::scalar::{Number, Real, Scalar};
 
 /// A rotation followed by a translation: where a solid's own frame lies in the scene.
 ///
@@ -38,28 +38,6 @@ crate::error_text!(PoseError {
     TooFar => "the pose shifts too far for its number type",
 });
 
-macro_rules! constructors {
-    ($([$($generics:tt)*] $Scalar:ty),+) => {$(
-        impl<$($generics)*> Pose<$Scalar> {
-            /// A shift by `by`.
-            ///
-            /// # Errors
-            /// [`PoseError`].
-            pub const fn translation(by: Vec3<$Scalar>) -> Result<Self, PoseError> {
-                if !by.has_finite_coordinates() {
-                    return Err(PoseError::NotFinite);
-                }
-                if !by.is_within_reach() {
-                    return Err(PoseError::TooFar);
-                }
-                Ok(Self { translation: by, ..Self::IDENTITY })
-            }
-        }
-    )+};
-}
-
-constructors!([] f32, [] f64, [F: Fraction] FixedI32<F>);
-
 impl<S: Scalar> Pose<S> {
     /// The pose that moves nothing.
     pub const IDENTITY: Self = {
@@ -73,6 +51,20 @@ impl<S: Scalar> Pose<S> {
             translation: Vec3::ZERO,
         }
     };
+
+    /// A shift by `by`.
+    ///
+    /// # Errors
+    /// [`PoseError`].
+    pub fn translation(by: Vec3<S>) -> Result<Self, PoseError> {
+        if !by.is_finite() {
+            return Err(PoseError::NotFinite);
+        }
+        if !by.is_within_range() {
+            return Err(PoseError::TooFar);
+        }
+        Ok(Self { translation: by, ..Self::IDENTITY })
+    }
 
     /// A turn about the x axis, in radians, that takes y towards z.
     ///

@@ -1,6 +1,6 @@
 //! Vectors and points of three coordinates.
 
-use crate::scalar::{ConstOps, FixedI32, Fraction, Number, Real, Scalar};
+use crate::scalar::{ConstOps, Number, Real, Scalar, per_scalar};
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// A vector or a point in space, in the units of the scene.
@@ -111,28 +111,28 @@ impl<S: Scalar> Vec3<S> {
     pub(crate) fn wide(self) -> Vec3<S::Wide> {
         self.map(S::wide)
     }
+
+    /// Whether no coordinate is larger than [`Scalar::MAX_COORDINATE`].
+    pub(crate) fn is_within_range(self) -> bool {
+        self.max_abs().is_within_range()
+    }
 }
 
-/// What constructors check, for constants.
-macro_rules! checks {
-    ($([$($generics:tt)*] $Scalar:ty),+) => {$(
-        impl<$($generics)*> Vec3<$Scalar> {
-            pub(crate) const fn has_finite_coordinates(self) -> bool {
-                ConstOps::<$Scalar>::is_finite(self.x)
-                    && ConstOps::<$Scalar>::is_finite(self.y)
-                    && ConstOps::<$Scalar>::is_finite(self.z)
-            }
+per_scalar! { $S: impl[] Vec3<$S> {
+    /// As [`is_finite`](Self::is_finite), for constants.
+    pub(crate) const fn has_finite_coordinates(self) -> bool {
+        let Self { x, y, z } = self;
+        ConstOps::<$S>::is_finite(x) && ConstOps::<$S>::is_finite(y) && ConstOps::<$S>::is_finite(z)
+    }
 
-            pub(crate) const fn is_within_reach(self) -> bool {
-                ConstOps::<$Scalar>::is_within_reach(self.x)
-                    && ConstOps::<$Scalar>::is_within_reach(self.y)
-                    && ConstOps::<$Scalar>::is_within_reach(self.z)
-            }
-        }
-    )+};
-}
-
-checks!([] f32, [] f64, [F: Fraction] FixedI32<F>);
+    /// As [`is_within_range`](Self::is_within_range), for constants.
+    pub(crate) const fn is_within_reach(self) -> bool {
+        let [x, y, z] = self.to_array();
+        ConstOps::<$S>::is_within_reach(x)
+            && ConstOps::<$S>::is_within_reach(y)
+            && ConstOps::<$S>::is_within_reach(z)
+    }
+} }
 
 impl<T> From<[T; 3]> for Vec3<T> {
     fn from([x, y, z]: [T; 3]) -> Self {

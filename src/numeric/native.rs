@@ -30,6 +30,12 @@ pub trait Native:
     /// The nearest number.
     fn from_i32(integer: i32) -> Self;
 
+    /// The nearest number.
+    fn from_f64(number: f64) -> Self;
+
+    /// The same number.
+    fn to_f64(self) -> f64;
+
     /// The number without its fraction, held inside the range; 0 for NaN.
     fn to_i32(self) -> i32;
 
@@ -59,6 +65,8 @@ pub trait Native:
 /// Numbers of one type.
 #[derive(Debug)]
 pub struct Constants<S> {
+    /// Of the mantissa.
+    pub(crate) bits: u32,
     pub(crate) zero: S,
     pub(crate) half: S,
     pub(crate) one: S,
@@ -77,6 +85,7 @@ macro_rules! native {
     ($Float:ident, $Bits:ident, $lengths:expr, $two_product:path, $sqrt:path, $sin_cos:path) => {
         impl Native for $Float {
             const CONSTANTS: Constants<Self> = Constants {
+                bits: $Float::MANTISSA_DIGITS,
                 zero: 0.0,
                 half: 0.5,
                 one: 1.0,
@@ -96,6 +105,16 @@ macro_rules! native {
             #[inline]
             fn from_i32(integer: i32) -> Self {
                 integer as $Float
+            }
+
+            #[inline]
+            fn from_f64(number: f64) -> Self {
+                number as $Float
+            }
+
+            #[inline]
+            fn to_f64(self) -> f64 {
+                self.into()
             }
 
             #[inline]

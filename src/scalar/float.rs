@@ -1,8 +1,9 @@
 //! [`Scalar`] for `f32` and `f64`.
 
+use super::const_ops::{normalized, stretch};
 use super::number::{Number, Real};
 use super::rebase::{Rebased, rebased};
-use super::scalar::{Chord, Scalar};
+use super::scalar::{Chord, Scalar, Stretch};
 use crate::numeric::{Fused, Native, SATURATES_TO_I32, add_product, dot3, product_difference};
 
 /// A binary floating-point number.
@@ -26,6 +27,11 @@ fn sum_of_products<S: Native, const N: usize>(x: [S; N], y: [S; N]) -> S {
 impl<S: Native> Number for S {
     const ZERO: Self = S::CONSTANTS.zero;
     const ONE: Self = S::CONSTANTS.one;
+
+    #[inline]
+    fn from_int(integer: i32) -> Self {
+        S::from_i32(integer)
+    }
 
     #[inline]
     fn plus(self, other: Self) -> Self {
@@ -68,11 +74,6 @@ impl<S: Native> Real for S {
     const HALF: Self = S::CONSTANTS.half;
     const EPSILON: Self = S::CONSTANTS.epsilon;
     const QUANTUM: Self = S::ZERO;
-
-    #[inline]
-    fn from_int(whole: i32) -> Self {
-        S::from_i32(whole)
-    }
 
     #[inline]
     fn floor_to_i32(self) -> i32 {
@@ -139,6 +140,27 @@ impl<S: Native> Scalar for S {
     const LONGEST: Self = S::CONSTANTS.largest;
     const ROUNDING: Self = S::ZERO;
     const NO_SCALE: Self = S::ZERO;
+
+    #[inline]
+    fn from_ratio(numerator: i32, denominator: i32) -> Self {
+        S::from_i32(numerator) / S::from_i32(denominator)
+    }
+
+    #[inline]
+    fn inverse(self) -> Self {
+        S::ONE / self
+    }
+
+    fn normalized(vector: [Self; 3]) -> Option<[Self; 3]> {
+        Some(normalized(vector.map(S::to_f64))?.map(S::from_f64))
+    }
+
+    fn stretch(from: [Self; 3], to: [Self; 3]) -> Option<Stretch<Self>> {
+        let ends = [from, to].map(|end| end.map(S::to_f64));
+        let Stretch { direction, low, high } = stretch(ends[0], ends[1], S::CONSTANTS.bits)?;
+        let direction = direction.map(S::from_f64);
+        Some(Stretch { direction, low: S::from_f64(low), high: S::from_f64(high) })
+    }
 
     #[inline]
     fn uncertainty(size: Self) -> Self {

@@ -24,8 +24,9 @@ pub use scalar::{Chord, Scalar};
 pub(crate) use crate::numeric::{Double, integer, two_sum};
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
 pub(crate) use crate::numeric::{cubic, leaf};
-pub(crate) use const_ops::{ConstOps, Stretch};
+pub(crate) use const_ops::{ConstOps, per_scalar};
 pub(crate) use fixed::Fraction;
 pub(crate) use float::Float;
 pub(crate) use polynomial::{FloatFrame, Polynomial};
 pub(crate) use rebase::Rebased;
+pub(crate) use scalar::Stretch;

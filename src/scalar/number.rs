@@ -20,6 +20,17 @@ pub trait Number: sealed::Sealed + Copy + Debug + PartialOrd + 'static {
     /// 1.
     const ONE: Self;
 
+    /// The nearest number to an integer, held inside the type's range.
+    ///
+    /// ```
+    /// use scancsg::scalar::{I16F16, Number};
+    ///
+    /// assert_eq!(I16F16::from_int(-3), -3);
+    /// assert_eq!(I16F16::from_int(40_000), I16F16::MAX);
+    /// ```
+    #[must_use]
+    fn from_int(integer: i32) -> Self;
+
     /// `self + other`.
     #[must_use]
     fn plus(self, other: Self) -> Self;
@@ -84,9 +95,6 @@ pub trait Real:
     /// The distance from 0 to the next larger number, as far as it matters: 0 where rounding
     /// errors are relative.
     const QUANTUM: Self;
-
-    /// A whole number up to 2³⁰ in size.
-    fn from_int(whole: i32) -> Self;
 
     /// The largest whole number ≤ `self`, held inside the range of `i32`; 0 for NaN.
     fn floor_to_i32(self) -> i32;

@@ -39,6 +39,48 @@ pub trait Scalar: Number {
     /// point, whose errors are relative, 2 units in fixed point.
     const ROUNDING: Self;
 
+    /// `numerator / denominator`, for a denominator other than 0: how generic code writes a number.
+    ///
+    /// In fixed point the quotient is rounded to nearest and held inside the type's range. In floating point
+    /// it is rounded to nearest where neither of the two is larger than 2²⁴ in size.
+    ///
+    /// ```
+    /// use scancsg::scalar::{I16F16, Scalar};
+    ///
+    /// fn a_third<S: Scalar>() -> S {
+    ///     S::from_ratio(1, 3)
+    /// }
+    /// assert_eq!(a_third::<f32>(), 1.0 / 3.0);
+    /// assert_eq!(a_third::<I16F16>(), I16F16::from_bits(21_845));
+    /// ```
+    #[must_use]
+    fn from_ratio(numerator: i32, denominator: i32) -> Self;
+
+    /// Whether a coordinate is not larger than [`MAX_COORDINATE`](Self::MAX_COORDINATE); not for NaN.
+    #[must_use]
+    fn is_within_range(self) -> bool {
+        self.abs() <= Self::MAX_COORDINATE
+    }
+
+    /// Whether a solid may have the number as its radius: it is from [`MIN_RADIUS`](Self::MIN_RADIUS) to
+    /// [`MAX_COORDINATE`](Self::MAX_COORDINATE).
+    #[must_use]
+    fn is_radius(self) -> bool {
+        Self::MIN_RADIUS <= self && self <= Self::MAX_COORDINATE
+    }
+
+    /// 1/`self`, for a radius.
+    fn inverse(self) -> Self::Scale;
+
+    /// The vector of length 1 in the direction of a finite one, or `None` for zero.
+    ///
+    /// It is computed in `f64` or in integers of 128 bits.
+    fn normalized(vector: [Self; 3]) -> Option<[Self::Unit; 3]>;
+
+    /// The direction from one point to another, and where along it they lie; `None` if they coincide.
+    #[doc(hidden)]
+    fn stretch(from: [Self; 3], to: [Self; 3]) -> Option<Stretch<Self>>;
+
     /// How far off a length in a pixel may be that is a sum of up to six lengths, `size` together,
     /// or of two of these, one of them times the column.
     fn uncertainty(size: Self::Wide) -> Self::Wide;
@@ -124,4 +166,12 @@ pub enum Chord<S> {
     Between(S, S),
     /// The line has no direction here: m is zero, or too small to divide by its square.
     Along,
+}
+
+/// The ends of a line, as offsets along its rounded direction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stretch<S: Scalar> {
+    pub(crate) direction: [S::Unit; 3],
+    pub(crate) low: S,
+    pub(crate) high: S,
 }

@@ -5,7 +5,7 @@ use super::{RayRow, Rays};
 use crate::geom::pose::Pose;
 use crate::geom::ray::Line;
 use crate::geom::vec3::Vec3;
-use crate::scalar::{Number, Real, Scalar};
+use crate::scalar::{Number, Scalar};
 
 /// The rays of a perspective picture: a pencil through the eye.
 ///

@@ -3,6 +3,7 @@
 //! Products of two numbers are exact in 64 bits, so a difference of squares is exact too, and
 //! whether it is positive is never a matter of rounding.
 
+mod const_ops;
 mod scale;
 mod wide;
 
@@ -11,9 +12,10 @@ pub use ::fixed::types::I16F16;
 pub use scale::Scale;
 pub use wide::Wide;
 
+use super::const_ops::ConstOps;
 use super::number::{Number, sealed::Sealed};
 use super::rebase::Rebased;
-use super::scalar::{Chord, Scalar};
+use super::scalar::{Chord, Scalar, Stretch};
 use crate::numeric::integer::{
     divide, leading_zeros, narrow, normalized, reciprocal, rounded_to_i32, shift_right, sqrt,
 };
@@ -42,6 +44,10 @@ impl<F: Fraction> Sealed for FixedI32<F> {}
 impl<F: Fraction> Number for FixedI32<F> {
     const ZERO: Self = Self::from_bits(0);
     const ONE: Self = Self::from_bits(1 << F::BITS);
+
+    fn from_int(integer: i32) -> Self {
+        Self::from_bits(narrow(i64::from(integer) << F::BITS))
+    }
 
     #[inline]
     fn plus(self, other: Self) -> Self {
@@ -133,6 +139,23 @@ impl<F: Fraction> Scalar for FixedI32<F> {
     const LONGEST: Self = Self::from_bits(1 << 30);
     const ROUNDING: Self = Self::from_bits(2);
     const NO_SCALE: Scale = Scale::NONE;
+
+    fn from_ratio(numerator: i32, denominator: i32) -> Self {
+        let bits = divide(i128::from(numerator) << F::BITS, denominator.into());
+        Self::from_bits(narrow(bits as i64))
+    }
+
+    fn inverse(self) -> Scale {
+        ConstOps::<Self>::inverse(self)
+    }
+
+    fn normalized(vector: [Self; 3]) -> Option<[Unit; 3]> {
+        ConstOps::<Self>::normalized(vector)
+    }
+
+    fn stretch(from: [Self; 3], to: [Self; 3]) -> Option<Stretch<Self>> {
+        ConstOps::<Self>::stretch(from, to)
+    }
 
     #[inline]
     fn uncertainty(_: Wide) -> Wide {

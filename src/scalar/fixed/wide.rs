@@ -35,6 +35,11 @@ impl Number for Wide {
     const ZERO: Self = Self(0);
     const ONE: Self = Self(1 << Self::FRACTION_BITS);
 
+    #[inline]
+    fn from_int(integer: i32) -> Self {
+        Self((integer as i64) << Self::FRACTION_BITS)
+    }
+
     // In set-up, which is seldom, one copy of what is long on small cores is enough.
     #[inline(never)]
     fn plus(self, other: Self) -> Self {
@@ -136,11 +141,6 @@ impl Real for Wide {
     const HALF: Self = Self(1 << (Self::FRACTION_BITS - 1));
     const EPSILON: Self = Self(1);
     const QUANTUM: Self = Self(1);
-
-    #[inline]
-    fn from_int(whole: i32) -> Self {
-        Self((whole as i64) << Self::FRACTION_BITS)
-    }
 
     #[inline]
     fn floor_to_i32(self) -> i32 {
