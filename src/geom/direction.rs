@@ -29,8 +29,10 @@ pub enum Axis {
 per_scalar! { $S: impl[] Direction<$S> {
     /// As [`from_unit`](Self::from_unit), for constants.
     pub(crate) const fn new(vector: [<$S as Scalar>::Unit; 3]) -> Self {
+        type Ops<S> = ConstOps<<S as Scalar>::Unit>;
         let [x, y, z] = vector;
-        Self { vector: Vec3 { x, y, z }, along: Axis::with(ConstOps::<$S>::zeros(vector)) }
+        let zeros = [Ops::<$S>::is_zero(x), Ops::<$S>::is_zero(y), Ops::<$S>::is_zero(z)];
+        Self { vector: Vec3 { x, y, z }, along: Axis::with(zeros) }
     }
 } }
 

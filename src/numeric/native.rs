@@ -19,7 +19,14 @@ impl<T> Loggable for T {}
 
 /// `f32` or `f64`.
 pub trait Native:
-    Split + Div<Output = Self> + Neg<Output = Self> + PartialOrd + Debug + Loggable + 'static
+    Split
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + PartialOrd
+    + Into<f64>
+    + Debug
+    + Loggable
+    + 'static
 {
     /// Numbers that generic code can't write.
     const CONSTANTS: Constants<Self>;
@@ -32,9 +39,6 @@ pub trait Native:
 
     /// The nearest number.
     fn from_f64(number: f64) -> Self;
-
-    /// The same number.
-    fn to_f64(self) -> f64;
 
     /// The number without its fraction, held inside the range; 0 for NaN.
     fn to_i32(self) -> i32;
@@ -65,8 +69,6 @@ pub trait Native:
 /// Numbers of one type.
 #[derive(Debug)]
 pub struct Constants<S> {
-    /// Of the mantissa.
-    pub(crate) bits: u32,
     pub(crate) zero: S,
     pub(crate) half: S,
     pub(crate) one: S,
@@ -85,7 +87,6 @@ macro_rules! native {
     ($Float:ident, $Bits:ident, $lengths:expr, $two_product:path, $sqrt:path, $sin_cos:path) => {
         impl Native for $Float {
             const CONSTANTS: Constants<Self> = Constants {
-                bits: $Float::MANTISSA_DIGITS,
                 zero: 0.0,
                 half: 0.5,
                 one: 1.0,
@@ -113,11 +114,6 @@ macro_rules! native {
             }
 
             #[inline]
-            fn to_f64(self) -> f64 {
-                self.into()
-            }
-
-            #[inline]
             fn to_i32(self) -> i32 {
                 self as i32
             }
@@ -134,7 +130,9 @@ macro_rules! native {
 
             #[inline]
             fn has_all_digits(self) -> bool {
-                self.is_normal()
+                // In comparisons of integers, which compilers keep: half as long as `is_normal`.
+                const INFINITE: $Bits = $Float::INFINITY.to_bits();
+                (self.to_bits() & INFINITE).wrapping_sub(1) < INFINITE - 1
             }
 
             #[inline]
@@ -163,3 +161,35 @@ macro_rules! native {
 
 native!(f32, u32, [1e-12, 1e15], two_product_f32, sqrt_f32, libm::sincosf);
 native!(f64, u64, [1e-60, 1e60], two_product, libm::sqrt, libm::sincos);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn normal_numbers_have_all_digits(bits: u64, exponent in prop_oneof![Just(0), Just(0x7ff), Just(1)]) {
+            for bits in [bits, bits & !(0x7ff << 52) | exponent << 52] {
+                let (double, single) = (f64::from_bits(bits), f32::from_bits((bits >> 32) as u32));
+                prop_assert_eq!(double.has_all_digits(), double.is_normal());
+                prop_assert_eq!(single.has_all_digits(), single.is_normal());
+            }
+        }
+    }
+
+    #[test]
+    fn the_ends_of_the_range() {
+        for x in [
+            0.0,
+            f32::MIN_POSITIVE,
+            f32::MIN_POSITIVE.next_down(),
+            f32::MAX,
+            f32::INFINITY,
+            f32::NAN,
+        ] {
+            assert_eq!(x.has_all_digits(), x.is_normal());
+            assert_eq!((-x).has_all_digits(), x.is_normal());
+        }
+    }
+}

@@ -32,6 +32,13 @@ impl<S: Number> ConstOps<S> {
     pub(crate) const ZERO: S = S::ZERO;
 }
 
+per_scalar! { $S: impl[] ConstOps<$S> {
+    /// For numbers, not for NaN.
+    pub(crate) const fn is_zero(x: $S) -> bool {
+        !Self::is_below(x, Self::ZERO) && !Self::is_below(Self::ZERO, x)
+    }
+} }
+
 macro_rules! floats {
     ($($Float:ident),+) => {$(
         impl ConstOps<$Float> {
@@ -63,11 +70,6 @@ macro_rules! floats {
                 1.0 / radius
             }
 
-            /// Which coordinates are zero.
-            pub(crate) const fn zeros([x, y, z]: [$Float; 3]) -> [bool; 3] {
-                [x == 0.0, y == 0.0, z == 0.0]
-            }
-
             /// [`Scalar::normalized`].
             pub(crate) const fn normalized([x, y, z]: [$Float; 3]) -> Option<[$Float; 3]> {
                 match normalized([x as f64, y as f64, z as f64]) {
@@ -82,7 +84,7 @@ macro_rules! floats {
                 [x, y, z]: [$Float; 3],
             ) -> Option<Stretch<$Float>> {
                 let (from, to) = ([a as f64, b as f64, c as f64], [x as f64, y as f64, z as f64]);
-                match stretch(from, to, $Float::MANTISSA_DIGITS) {
+                match stretch(from, to, size_of::<$Float>()) {
                     Some(Stretch { direction: [x, y, z], low, high }) => Some(Stretch {
                         direction: [x as $Float, y as $Float, z as $Float],
                         low: low as $Float,
@@ -109,13 +111,13 @@ pub(super) const fn normalized([x, y, z]: [f64; 3]) -> Option<[f64; 3]> {
     Some([x / length, y / length, z / length])
 }
 
-/// The direction from one point to another, in a number type of so many bits, and where along it
+/// The direction from one point to another, in a number type of so many bytes, and where along it
 /// they lie.
-pub(super) const fn stretch(from: [f64; 3], to: [f64; 3], bits: u32) -> Option<Stretch<f64>> {
+pub(super) const fn stretch(from: [f64; 3], to: [f64; 3], size: usize) -> Option<Stretch<f64>> {
     let way = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
     let Some([x, y, z]) = normalized(way) else { return None };
     // Along the direction as it is rounded, which is what lines will be held against.
-    let [x, y, z] = if bits < f64::MANTISSA_DIGITS {
+    let [x, y, z] = if size < size_of::<f64>() {
         [x as f32 as f64, y as f32 as f64, z as f32 as f64]
     } else {
         [x, y, z]

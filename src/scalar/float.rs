@@ -140,12 +140,12 @@ impl<S: Native> Scalar for S {
     }
 
     fn normalized(vector: [Self; 3]) -> Option<[Self; 3]> {
-        Some(normalized(vector.map(S::to_f64))?.map(S::from_f64))
+        Some(normalized(vector.map(S::into))?.map(S::from_f64))
     }
 
     fn stretch(from: [Self; 3], to: [Self; 3]) -> Option<Stretch<Self>> {
-        let ends = [from, to].map(|end| end.map(S::to_f64));
-        let Stretch { direction, low, high } = stretch(ends[0], ends[1], S::CONSTANTS.bits)?;
+        let ends = [from, to].map(|end| end.map(S::into));
+        let Stretch { direction, low, high } = stretch(ends[0], ends[1], size_of::<S>())?;
         let direction = direction.map(S::from_f64);
         Some(Stretch { direction, low: S::from_f64(low), high: S::from_f64(high) })
     }

@@ -6,7 +6,7 @@ use crate::scalar::Scalar;
 use crate::span::walk::{Path, Step};
 use crate::span::{Crossing, Face, Shape, Span};
 
-/// The spans of one ray, in ascending order: an array with [`Span::NOWHERE`] behind the last one.
+/// The spans of one ray, in ascending order: an array, with spans that no parameter is in behind the last one.
 pub trait Kept<S>: Copy + Empty {
     /// No span.
     const NONE: Self;

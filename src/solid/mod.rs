@@ -25,7 +25,7 @@
 //! | combine parts | `a \| b`, `a & b`, `a - b`; arrays and [`Many`] for unions of one kind |
 //! | colour, move or turn a part | [`Painted`], [`Placed`] |
 //! | ask where a single ray meets it | [`RayCast`] |
-//! | add a solid of your own | implement [`Shape`](crate::span::Shape) and [`Solid`], wrap it in [`ByLine`] |
+//! | add a solid of your own | implement [`Shape`] and [`Solid`], wrap it in [`ByLine`] |
 //! | wrap solids in a type of your own | [`Wrap`] |
 
 mod combine;

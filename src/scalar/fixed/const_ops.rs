@@ -39,11 +39,6 @@ impl<F: Fraction> ConstOps<FixedI32<F>> {
         ))
     }
 
-    /// Which coordinates are zero.
-    pub(crate) const fn zeros([x, y, z]: [Unit; 3]) -> [bool; 3] {
-        [x.to_bits() == 0, y.to_bits() == 0, z.to_bits() == 0]
-    }
-
     /// [`Scalar::normalized`].
     pub(crate) const fn normalized([x, y, z]: [FixedI32<F>; 3]) -> Option<[Unit; 3]> {
         unit([x.to_bits() as i64, y.to_bits() as i64, z.to_bits() as i64])

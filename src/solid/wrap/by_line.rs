@@ -6,7 +6,7 @@ use crate::scan::{Leaf, leaf};
 use crate::solid::{Rgb, Solid};
 use crate::span::{Face, Shape, Span, SpanList, SpanStack};
 
-/// Any [`Solid`], seen along any [`Rays`]: wrap a solid of your own in it, or one of the crate's that
+/// Any [`Solid`], seen along any [`Rays`](crate::geom::Rays): wrap a solid of your own in it, or one of the crate's that
 /// is to be seen by a camera of your own.
 ///
 /// `N` is the most spans that a line has with the solid, at least its [`Shape::STACK`]; less does not
