@@ -51,7 +51,6 @@ impl<S: Scalar> Direction<S> {
     };
 
     /// The direction of an axis.
-    #[allow(dead_code)] // for constructors of any number type
     pub(crate) const fn along_axis(axis: Axis) -> Self {
         match axis {
             Axis::X => Self::X,
@@ -61,20 +60,17 @@ impl<S: Scalar> Direction<S> {
     }
 
     /// The direction of a vector that has length 1.
-    #[allow(dead_code)] // for constructors of any number type
     pub(crate) fn from_unit(vector: [S::Unit; 3]) -> Self {
         let along = Axis::with(vector.map(|coordinate| coordinate == S::Unit::ZERO));
         Self { vector: Vec3::from(vector), along }
     }
 
     /// The direction of a finite vector, or `None` for zero.
-    #[allow(dead_code)] // for constructors of any number type
     pub(crate) fn normalized(vector: Vec3<S>) -> Option<Self> {
         S::normalized(vector.to_array()).map(Self::from_unit)
     }
 
     /// The direction from one point to another, and where along it they lie, or `None` if they coincide.
-    #[allow(dead_code)] // for constructors of any number type
     pub(crate) fn between(from: Vec3<S>, to: Vec3<S>) -> Option<(Self, [S; 2])> {
         let Stretch { direction, low, high } = S::stretch(from.to_array(), to.to_array())?;
         Some((Self::from_unit(direction), [low, high]))

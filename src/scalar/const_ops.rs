@@ -5,26 +5,6 @@ use super::scalar::{Scalar, Stretch};
 use crate::numeric::const_sqrt;
 use core::marker::PhantomData;
 
-/// Writes an `impl` block for each kind of number type, with the type's name in place of `$S`: for
-/// `const` functions, which can't be generic.
-///
-/// ```ignore
-/// per_scalar! { $S: impl[const N: usize] Points<$S, N> { … } }
-/// ```
-macro_rules! per_scalar {
-    ($dollar:tt $S:ident: impl[$($generics:tt)*] $($block:tt)*) => {
-        macro_rules! expand {
-            ([$dollar($dollar fraction:tt)*] $dollar $S:ty) => {
-                impl<$dollar($dollar fraction)* $($generics)*> $($block)*
-            };
-        }
-        expand!([] f32);
-        expand!([] f64);
-        expand!([F: $crate::scalar::Fraction,] $crate::scalar::FixedI32<F>);
-    };
-}
-pub(crate) use per_scalar;
-
 /// The constant functions of a number type.
 pub(crate) struct ConstOps<S>(PhantomData<S>);
 
@@ -32,18 +12,15 @@ impl<S: Number> ConstOps<S> {
     pub(crate) const ZERO: S = S::ZERO;
 }
 
-per_scalar! { $S: impl[] ConstOps<$S> {
-    /// For numbers, not for NaN.
-    pub(crate) const fn is_zero(x: $S) -> bool {
-        !Self::is_below(x, Self::ZERO) && !Self::is_below(Self::ZERO, x)
-    }
-} }
-
 macro_rules! floats {
     ($($Float:ident),+) => {$(
         impl ConstOps<$Float> {
             pub(crate) const fn is_finite(x: $Float) -> bool {
                 x.is_finite()
+            }
+
+            pub(crate) const fn is_zero(x: $Float) -> bool {
+                x == 0.0
             }
 
             pub(crate) const fn is_below(x: $Float, y: $Float) -> bool {

@@ -12,6 +12,7 @@ mod const_ops;
 mod fixed;
 mod float;
 mod number;
+mod per_scalar;
 mod rebase;
 #[allow(clippy::module_inception)] // the trait that the folder is named after
 mod scalar;
@@ -22,7 +23,8 @@ pub(crate) use scalar::Float;
 pub use scalar::{FixedPoint, Formula, Roots, Scalar};
 
 pub(crate) use crate::numeric::{Double, integer, two_sum};
-pub(crate) use const_ops::{ConstOps, per_scalar};
+pub(crate) use const_ops::ConstOps;
 pub(crate) use fixed::Fraction;
+pub(crate) use per_scalar::per_scalar;
 pub(crate) use rebase::Rebased;
 pub(crate) use scalar::Stretch;

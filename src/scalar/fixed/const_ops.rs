@@ -12,6 +12,10 @@ impl<F: Fraction> ConstOps<FixedI32<F>> {
         true
     }
 
+    pub(crate) const fn is_zero(x: FixedI32<F>) -> bool {
+        x.to_bits() == 0
+    }
+
     pub(crate) const fn is_below(x: FixedI32<F>, y: FixedI32<F>) -> bool {
         x.to_bits() < y.to_bits()
     }
