@@ -4,7 +4,7 @@
 //! Here q and m are two coordinates of u and d, turned by 90°.
 
 use super::doubles::parallel;
-use super::sums::squared_less_square;
+use super::sums::{square_less, squared_less_square};
 use crate::geom::{Axis, Line, Vec3};
 use crate::quadric::{Planes, Wall};
 use crate::scalar::{Double, Float, Roots};
@@ -86,7 +86,7 @@ impl<S: Float> Wall<S> {
         let (q, m) = (self.axis_to_origin(axis, line), across(axis, line.direction));
         let [q0, q1] = q;
         let radius_squared = Double::product(self.radius, self.radius);
-        let c = q0.high * q0.high + q1.high * q1.high - radius_squared.high;
+        let c = square_less(q0.high, radius_squared.high) + q1.high * q1.high;
         let c = if c > radius_squared.high {
             let cross = q0.high * q0.low + q1.high * q1.low;
             c + (cross + cross)

@@ -4,6 +4,7 @@
 
 use super::aligned::Aligned;
 use super::planes::planes;
+use super::sums::square_less;
 use crate::geom::Line;
 use crate::quadric::{Planes, WALL, Wall};
 use crate::scalar::{Float, Roots};
@@ -25,8 +26,7 @@ pub(in crate::quadric) fn cylinder<S: Float>(
     let discriminant = largest - square;
     if discriminant * S::from_int(8) > square {
         let half = discriminant.sqrt();
-        let (square, error) = S::two_product(q[0], q[0]);
-        let c = ((square - radius_squared) + error) + q[1] * q[1];
+        let c = square_less(q[0], radius_squared) + q[1] * q[1];
         if !(b > S::ZERO && c > radius_squared) {
             return nearby(wall, caps, line, c, half);
         }

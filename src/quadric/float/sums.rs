@@ -64,6 +64,14 @@ pub(super) fn points<S: Float>(far: S, near: S, b: S, discriminant: S) -> Roots<
     if one < other { Roots::Between(one, other) } else { Roots::Between(other, one) }
 }
 
+/// `x² − y`, with the errors of the square and of the difference added back.
+#[inline(always)]
+pub(super) fn square_less<S: Float>(x: S, y: S) -> S {
+    let (square, error) = S::two_product(x, x);
+    let (difference, lost) = two_sum(square, -y);
+    difference + (lost + error)
+}
+
 /// `|q|² − r²` with the errors of squares and sums added back.
 #[inline]
 pub(super) fn squared_less_square<S: Float, const N: usize>(q: [Double<S>; N], radius: S) -> S {
