@@ -8,9 +8,6 @@ use crate::span::{Crossing, Face, Shape, Span};
 
 /// The spans of one ray, in ascending order: an array, with spans that no parameter is in behind the last one.
 pub trait Kept<S>: Copy + Empty {
-    /// No span.
-    const NONE: Self;
-
     /// Whether one of them contains `t`.
     fn contain(&self, t: S) -> bool;
 
@@ -19,8 +16,6 @@ pub trait Kept<S>: Copy + Empty {
 }
 
 impl<S: Scalar, const K: usize> Kept<S> for [Span<S>; K] {
-    const NONE: Self = [Span::NOWHERE; K];
-
     #[inline(always)]
     fn contain(&self, t: S) -> bool {
         self.iter().any(|span| span.contains(t))

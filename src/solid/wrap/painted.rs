@@ -16,7 +16,7 @@ pub struct Painted<T> {
 }
 
 impl<T> Painted<T> {
-    /// Paints what is not yet painted of `solid`.
+    /// Gives a colour to all faces of `solid` that have none yet.
     #[must_use]
     pub const fn new(solid: T, color: Rgb) -> Self {
         Self { solid, color }
