@@ -1,6 +1,8 @@
 //! Where a single line meets each family: the one place that takes the body for the kind of number.
 
 use super::ball::Ball;
+use super::corners::Corners;
+use super::half_space::HalfSpace;
 use super::planes::{PlaneRoots, Planes};
 use super::wall::Wall;
 use super::{fixed, float};
@@ -62,4 +64,17 @@ formula! {
 formula! {
     /// Where a line is between two planes.
     planes(planes: Planes) -> PlaneRoots<S>, BetweenPlanes
+}
+
+formula! {
+    /// The part of a line inside a box.
+    cuboid(corners: Corners) -> Option<Span<S>>, InCuboid
+}
+
+/// Half-spaces as one operand.
+type Faces<S> = [HalfSpace<S>];
+
+formula! {
+    /// The part of a line inside all half-spaces.
+    half_spaces(faces: Faces) -> Option<Span<S>>, InHalfSpaces
 }

@@ -1,5 +1,6 @@
 //! What a number type of scenes can do.
 
+use super::grid::Grid;
 use super::number::{Number, Real};
 use super::rebase::Rebased;
 use crate::numeric::{Native, add_product};
@@ -39,6 +40,9 @@ pub trait Scalar: Number {
     /// How far off a length in a pixel may be because it is rounded to this type: 0 in floating
     /// point, whose errors are relative, 2 units in fixed point.
     const ROUNDING: Self;
+
+    #[doc(hidden)]
+    const GRID: Grid;
 
     /// `numerator / denominator`, for a denominator other than 0: how generic code writes a number.
     ///

@@ -36,6 +36,7 @@ mod primitive;
 mod query;
 mod wrap;
 
+pub use crate::quadric::HalfSpace;
 pub use crate::scan::Scan;
 pub use crate::scan::bounds::Bounds;
 pub use crate::span::Shape;
@@ -43,7 +44,8 @@ pub use combine::{Boolean, Difference, Intersection, Many, ManyError, Union};
 pub use describe::{Rgb, Solid};
 pub use pipe::{Pipe, PipeError};
 pub use primitive::{
-    Cylinder, CylinderError, CylinderWall, Slab, SlabError, Sphere, SphereError, WallHit,
+    Cuboid, CuboidError, Cylinder, CylinderError, CylinderWall, HalfSpaceError, Polyhedron,
+    PolyhedronError, Slab, SlabError, Sphere, SphereError, WallHit,
 };
 pub use query::{Hit, RayCast, Seen, first_seen};
 pub use wrap::{ByLine, Painted, Placed, Wrap};

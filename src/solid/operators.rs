@@ -1,8 +1,8 @@
 //! The operators `|`, `&` and `-`, of every solid with any other.
 
 use super::{
-    Boolean, ByLine, Cylinder, Difference, Intersection, Many, Painted, Pipe, Placed, Slab, Sphere,
-    Union,
+    Boolean, ByLine, Cuboid, Cylinder, Difference, HalfSpace, Intersection, Many, Painted, Pipe,
+    Placed, Polyhedron, Slab, Sphere, Union,
 };
 use crate::scalar::Scalar;
 use crate::span::Shape;
@@ -34,7 +34,10 @@ macro_rules! operators {
 }
 
 operators! {
+    [S: Scalar] Cuboid<S>,
     [S: Scalar] Cylinder<S>,
+    [S: Scalar] HalfSpace<S>,
+    [S: Scalar, const N: usize, F] Polyhedron<S, N, F>,
     [S: Scalar] Slab<S>,
     [S: Scalar] Sphere<S>,
     [S: Scalar, const SEGMENTS: usize] Pipe<S, SEGMENTS>,

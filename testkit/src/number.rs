@@ -44,9 +44,6 @@ pub trait Tested: Scalar {
     /// The nearest number.
     fn near(x: f64) -> Self;
 
-    /// The same number, exactly.
-    fn to_f64(self) -> f64;
-
     /// The next larger number.
     fn up(self) -> Self;
 
@@ -135,10 +132,6 @@ macro_rules! float {
                 x as $S
             }
 
-            fn to_f64(self) -> f64 {
-                self.into()
-            }
-
             fn up(self) -> Self {
                 self.next_up()
             }
@@ -165,10 +158,6 @@ macro_rules! fixed {
             fn near(x: f64) -> Self {
                 // The cast saturates, so nothing wraps.
                 Self::from_bits((x * 2f64.powi(Self::FRAC_NBITS as i32)).round() as i32)
-            }
-
-            fn to_f64(self) -> f64 {
-                f64::from(self.to_bits()) * 0.5f64.powi(Self::FRAC_NBITS as i32)
             }
 
             fn up(self) -> Self {

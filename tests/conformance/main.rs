@@ -20,6 +20,7 @@ mod hits;
 mod laws;
 mod links;
 mod pictures;
+mod planes;
 mod rows;
 mod smooth;
 mod spans;

@@ -22,4 +22,4 @@ mod units;
 
 pub(super) use ball::ball;
 pub(super) use cylinder::{cylinder, open_cylinder};
-pub(super) use planes::planes;
+pub(super) use planes::{cuboid, half_spaces, planes};

@@ -48,6 +48,14 @@ impl Steps {
         Self { first: first.saturating_sub(MARGIN), last: last.saturating_add(MARGIN) }
     }
 
+    /// Where `length ≤ 0` may hold; `size` as for [`between`](Self::between).
+    pub(crate) fn below<S: Scalar>(length: Affine<S::Wide>, size: S::Wide) -> Self {
+        // The length at −count steps or at +count steps is the lowest there is: beyond it nothing is.
+        let most = S::Wide::from_int(i32::from(i16::MAX));
+        let lowest = -(length.middle.abs() + (length.step * most).abs() + size);
+        Self::between::<S>(length, lowest, S::Wide::ZERO, size)
+    }
+
     /// Where `|length| ≤ reach` may hold.
     #[inline]
     pub(crate) fn within<S: Scalar>(length: Affine<S::Wide>, reach: S::Wide) -> Self {
