@@ -85,13 +85,19 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {
     ) {
         match row {
             OrthographicRow::Across(pairs) => {
-                *span = Span::whole_line(Face(0));
-                for ((ends, pair), &face) in pairs.iter().zip(&view.pairs).zip(&view.near) {
-                    let [near, far] = ends.at(pair, x);
-                    span.cut(Crossing { t: near, face }, false);
-                    span.cut(Crossing { t: far, face: Face(face.0 ^ 1) }, true);
-                }
-                if span.enter.t >= span.exit.t {
+                let [first, second, third] = pairs;
+                let [one, two, three] = &view.pairs;
+                let [of_x, of_y, of_z] = [first.at(one, x), second.at(two, x), third.at(three, x)];
+                let later = |a: (S, Face), b: (S, Face)| if b.0 > a.0 { b } else { a };
+                let earlier = |a: (S, Face), b: (S, Face)| if b.0 < a.0 { b } else { a };
+                let [x, y, z] = view.near;
+                let enter = later(later((of_x[0], x), (of_y[0], y)), (of_z[0], z));
+                let [x, y, z] = view.near.map(|face| Face(face.0 ^ 1));
+                let exit = earlier(earlier((of_x[1], x), (of_y[1], y)), (of_z[1], z));
+                if enter.0 < exit.0 {
+                    span.enter = Crossing { t: enter.0, face: enter.1 };
+                    span.exit = Crossing { t: exit.0, face: exit.1 };
+                } else {
                     *span = Span::NOWHERE;
                 }
             }
