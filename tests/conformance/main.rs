@@ -22,6 +22,7 @@ mod links;
 mod pictures;
 mod planes;
 mod rows;
+mod secondary;
 mod smooth;
 mod spans;
 mod walks;

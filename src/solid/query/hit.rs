@@ -1,6 +1,6 @@
 //! What a ray sees: the first crossing, the point there, and the normal.
 
-use crate::geom::{Line, Vec3};
+use crate::geom::{Line, Ray, RayError, Vec3};
 use crate::scalar::Scalar;
 use crate::span::{Face, Span};
 
@@ -18,6 +18,38 @@ pub struct Hit<S> {
     pub normal: Vec3<S>,
     /// Whether the ray starts inside the solid, and sees the face from within.
     pub inside: bool,
+}
+
+impl<S: Scalar> Hit<S> {
+    /// A ray from the point along `direction` that doesn't meet the same face again at once: for shadows,
+    /// reflections, and rays that go on through the face.
+    ///
+    /// Its start is moved off the face, to the side that `direction` points to: by 8 ε of `size`, or by 4 units
+    /// in fixed point. That is an upper bound of the point's rounding error where no coordinate of the solid
+    /// and no radius of its faces is larger than `size`.
+    ///
+    /// ```
+    /// use scancsg::geom::{Ray, vec3};
+    /// use scancsg::solid::{RayCast, Sphere};
+    /// use scancsg::span::SpanList;
+    ///
+    /// let ball = Sphere::<f32>::new(vec3(0.0, 0.0, 0.0), 0.015)?;
+    /// let mut list = SpanList::<_, 1>::new();
+    /// let ray = Ray::new(vec3(0.3, 0.2, 5.0), vec3(-0.3, -0.199, -5.0))?;
+    /// let hit = ball.hit(&ray, &mut list).ok_or("a miss")?;
+    /// let shadow = hit.leave(vec3(0.0, 1.0, 1.0), 0.015)?;
+    /// assert!(ball.hit(&shadow, &mut list).is_none());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Ray::new`].
+    pub fn leave(&self, direction: Vec3<S>, size: S) -> Result<Ray<S>, RayError> {
+        let size = size.max(self.point.max_abs());
+        let by = S::from_wide(S::uncertainty(size.wide()));
+        let by = if self.normal.dot(direction) < S::ZERO { by.negated() } else { by };
+        Ray::new(self.point + self.normal * by, direction)
+    }
 }
 
 /// The first surface that is seen from parameter `start` on.
