@@ -29,6 +29,7 @@
 //! | wrap solids in a type of your own | [`Wrap`] |
 
 mod combine;
+mod compound;
 mod describe;
 mod operators;
 mod pipe;
@@ -41,6 +42,7 @@ pub use crate::scan::Scan;
 pub use crate::scan::bounds::Bounds;
 pub use crate::span::Shape;
 pub use combine::{Boolean, Difference, Intersection, Many, ManyError, Union};
+pub use compound::{Capsule, RoundedCuboid};
 pub use describe::{Rgb, Solid};
 pub use pipe::{Pipe, PipeError};
 pub use primitive::{

@@ -3,6 +3,6 @@
 mod orthographic;
 mod perspective;
 
-pub(crate) use orthographic::{EdgeOn, Ends, common_steps, faces};
+pub(crate) use orthographic::{EdgeOn, Ends, faces};
 pub use orthographic::{OrthographicFace, OrthographicRow, OrthographicView};
 pub use perspective::{PerspectiveRow, PerspectiveView};

@@ -122,6 +122,18 @@ impl<S: Scalar> OrthographicView<S> {
         Self { height: [middle, down], inverse, step }
     }
 
+    /// Whether rays exit from a half-space with this normal.
+    #[inline]
+    pub(crate) fn exits(&self) -> bool {
+        self.inverse > S::Wide::ZERO
+    }
+
+    /// What half a column adds to where the planes are crossed.
+    #[inline]
+    pub(crate) fn step(&self) -> S::Wide {
+        self.step
+    }
+
     /// normal·p in the middle of a row.
     fn row_height(&self, y: i32) -> S::Wide {
         let [middle, down] = self.height;
@@ -215,7 +227,7 @@ impl<S: Scalar> HalfSpace<S> {
         match row {
             OrthographicFace::Across(at) => {
                 let t = S::from_wide(at.after_steps(view.step, x));
-                span.cut(Crossing { t, face }, view.inverse > S::Wide::ZERO);
+                span.cut(Crossing { t, face }, view.exits());
                 true
             }
             OrthographicFace::EdgeOn(row) => {
@@ -243,30 +255,6 @@ impl<S: Scalar> HalfSpace<S> {
         span.cut(Crossing { t, face }, speed > S::Wide::ZERO);
         true
     }
-}
-
-/// Where rays can be inside all of several half-spaces: behind each plane that they enter at, and before each
-/// that they exit at.
-pub(crate) fn common_steps<'a, S: Scalar, I>(faces: impl Fn() -> I, columns: u32) -> Steps
-where
-    I: Iterator<Item = (&'a OrthographicFace<S>, &'a OrthographicView<S>)>,
-{
-    let way = |step| S::Wide::ZERO.after_steps(step, columns as i32).abs();
-    let across = |exits: bool| {
-        faces().filter_map(move |(row, view)| match row {
-            OrthographicFace::Across(at) if exits != view.high_first() => Some((*at, view.step)),
-            _ => None,
-        })
-    };
-    let mut steps = Steps::ALL;
-    for (enter, step) in across(false) {
-        for (exit, exit_step) in across(true) {
-            let apart = Affine { middle: enter - exit, step: step - exit_step };
-            let size = enter.abs() + exit.abs() + (way(step) + way(exit_step));
-            steps = steps.overlap(Steps::below::<S>(apart, size));
-        }
-    }
-    steps
 }
 
 /// Where the middle of a row crosses the planes: first the one, then the other.

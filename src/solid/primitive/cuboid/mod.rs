@@ -56,12 +56,15 @@ pub enum CuboidError {
     Empty,
     /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
     TooFar,
+    /// Of a rounded box: the radius isn't positive, or twice of it isn't below the smallest size.
+    Radius,
 }
 
 crate::error_text!(CuboidError {
     NotFinite => "a coordinate of the box is infinite or not a number",
     Empty => "the box has no volume: a size is zero or negative",
     TooFar => "the box is too far away for its number type",
+    Radius => "the radius of the rounded box is not positive, or half of its smallest size or more",
 });
 
 per_scalar! { $S: impl[] Cuboid<$S> {
