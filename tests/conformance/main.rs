@@ -26,4 +26,5 @@ mod rows;
 mod secondary;
 mod smooth;
 mod spans;
+mod telephoto;
 mod walks;
