@@ -1,8 +1,8 @@
 //! The operators `|`, `&` and `-`, of every solid with any other.
 
 use super::{
-    Boolean, ByLine, Cylinder, Difference, Intersection, Many, Painted, Pipe, Placed, Slab, Sphere,
-    Union,
+    Boolean, ByLine, Cone, Cylinder, Difference, Intersection, Many, Painted, Pipe, Placed, Slab,
+    Sphere, Union,
 };
 use crate::scalar::Scalar;
 use crate::span::Shape;
@@ -34,6 +34,7 @@ macro_rules! operators {
 }
 
 operators! {
+    [S: Scalar] Cone<S>,
     [S: Scalar] Cylinder<S>,
     [S: Scalar] Slab<S>,
     [S: Scalar] Sphere<S>,

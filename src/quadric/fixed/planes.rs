@@ -7,7 +7,7 @@ use crate::scalar::{FixedPoint, integer};
 
 /// Where a line crosses two planes: at `heights / speed`, in integers.
 pub(super) struct Crossings {
-    heights: [i64; 2],
+    pub(super) heights: [i64; 2],
     pub(super) speed: i64,
 }
 

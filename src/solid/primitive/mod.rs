@@ -1,9 +1,11 @@
 //! The primitives, one folder each: what it is, its constructors, and how each kind of rays sees it.
 
+mod cone;
 mod cylinder;
 mod slab;
 mod sphere;
 
+pub use cone::{Cone, ConeError};
 pub use cylinder::{Cylinder, CylinderError, CylinderWall, WallHit};
 pub use slab::{Slab, SlabError};
 pub use sphere::{Sphere, SphereError};
