@@ -2,7 +2,7 @@
 
 use super::planes::Planes;
 use crate::geom::{Direction, Vec3};
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 
 /// All points within a radius of a line through `base`, where the radius changes evenly from the plane
 /// of one cap to that of the other. The line's direction, the axis, is the normal of these planes.
@@ -56,12 +56,16 @@ impl<S: Scalar> Taper<S> {
     }
 
     /// The outward normal at a point of the wall. At the tip, it points along the axis.
+    #[inline(always)]
     pub(crate) fn normal(&self, axis: &Direction<S>, at: Vec3<S>) -> Vec3<S> {
-        let [cosine, sine] = self.slant.map(|part| S::ONE.times_unit(part));
+        let [cosine, sine] = self.slant;
         let (_, across) = self.parts(axis, at);
-        if across == Vec3::ZERO {
-            return axis.times(if sine > S::ZERO { S::ONE.negated() } else { S::ONE });
+        let length = S::length(across.to_array());
+        if length <= S::ZERO {
+            return axis.times(if sine > S::Unit::ZERO { S::ONE.negated() } else { S::ONE });
         }
-        Vec3::from(S::with_length(across.to_array(), cosine)) - axis.times(sine)
+        let curvature = length.inverse();
+        let outward = across.map(|part| part.scaled(curvature).times_unit(cosine));
+        outward - axis.times(S::ONE.times_unit(sine))
     }
 }

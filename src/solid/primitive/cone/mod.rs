@@ -4,7 +4,7 @@ mod orthographic;
 mod perspective;
 mod pixel;
 
-use super::cylinder::{Cylinder, CylinderError, set_common};
+use super::cylinder::{Cylinder, CylinderError, frame, set_common};
 use crate::geom::{Axis, Line, Vec3};
 use crate::quadric::{Planes, Taper, WALL, Wall, meet};
 use crate::scalar::{ConstOps, Number, Real, Scalar, per_scalar};
@@ -238,14 +238,12 @@ impl<S: Scalar> Cone<S> {
     }
 }
 
-/// What a ray's part inside the wall and its part between the caps have in common.
+/// Sets a span to what a ray's part inside the wall and its part between the caps have in common.
 #[inline(always)]
-fn cut<S: Scalar>([enter, exit]: [S; 2], caps: Option<Span<S>>) -> Span<S> {
-    let mut span = Span::NOWHERE;
+fn cut<S: Scalar>(span: &mut Span<S>, chord: [S; 2], caps: Option<Span<S>>) {
     if let Some(Span { enter: near, exit: far }) = caps {
-        set_common(&mut span, [enter, exit], [near.t, far.t], [near.face, far.face]);
+        set_common(span, chord, [near.t, far.t], [near.face, far.face]);
     }
-    span
 }
 
 impl<S: Scalar> Shape for Cone<S> {
@@ -279,6 +277,7 @@ impl<S: Scalar> Solid for Cone<S> {
         if rim.has(&caps.normal, on_plane) { on_plane } else { rim.onto(&caps.normal, on_plane) }
     }
 
+    #[inline]
     fn normal(&self, face: Face, at: Vec3<S>) -> Vec3<S> {
         if face == WALL {
             self.taper.normal(&self.caps.normal, at)

@@ -1,6 +1,6 @@
 //! The cone, seen from an eye.
 
-use super::pixel::{PixelRow, PixelView};
+use super::pixel::{PixelView, after};
 use super::{Cone, cut};
 use crate::geom::{Extent, PerspectiveRays};
 use crate::scalar::Scalar;
@@ -15,8 +15,11 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cone<S> {
 
     fn view(&self, rays: &PerspectiveRays<S>) -> Self::View {
         let (center, radius) = self.bounding_ball();
+        let wall = PixelView::new(self, &rays.plane);
+        let [_, right, down] = wall.from;
         Some(PerspectiveView {
-            wall: PixelView::new(self, &rays.plane, rays.inverse_distance),
+            wall,
+            turn: [right, down].map(|way| way.map(|part| part * rays.inverse_distance)),
             caps: planes::PerspectiveView::new(&self.caps.normal, rays),
             ball: PerspectiveBall::new(center, radius, rays),
         })
@@ -29,23 +32,21 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cone<S> {
 
     #[inline(never)]
     fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
-        *row = None;
-        let Some(PerspectiveView { wall, caps, ball }) = view else { return Extent::EMPTY };
-        let extent = ball.extent(y, columns);
-        if extent != Extent::EMPTY {
-            let caps = planes::PerspectiveRow::new(caps, y);
-            *row = Some(PerspectiveRow { wall: wall.row(y), caps });
-        }
-        extent
+        *row = view.as_ref().map(|PerspectiveView { wall, turn, caps, .. }| PerspectiveRow {
+            from: after(&wall.from[0], &wall.from[2], y),
+            step: after(&wall.step, &turn[1], y),
+            caps: planes::PerspectiveRow::new(caps, y),
+        });
+        view.as_ref().map_or(Extent::EMPTY, |view| view.ball.extent(y, columns))
     }
 
     #[inline(always)]
-    fn spans(&self, _: &Self::View, row: &Self::Row, x: i32, [span]: &mut [Span<S>; 1]) {
-        let chord = row.as_ref().and_then(|row| row.wall.chord(x).zip(Some(row)));
-        *span = match chord {
-            Some((chord, row)) => cut(chord, self.caps.perspective_roots(&row.caps, x).ends()),
-            None => Span::NOWHERE,
-        };
+    fn spans(&self, view: &Self::View, row: &Self::Row, x: i32, [span]: &mut [Span<S>; 1]) {
+        *span = Span::NOWHERE;
+        let (Some(view), Some(row)) = (view, row) else { return };
+        if let Some(chord) = view.wall.chord(&row.from, after(&row.step, &view.turn[0], x), x) {
+            cut(span, chord, self.caps.perspective_roots(&row.caps, x).ends());
+        }
     }
 }
 
@@ -53,13 +54,16 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cone<S> {
 #[derive(Debug, Clone, Copy)]
 pub struct PerspectiveView<S: Scalar> {
     wall: PixelView<S>,
+    /// What half a pixel to the right, and down, adds to the wall's `step`.
+    turn: [[S::Wide; 3]; 2],
     caps: planes::PerspectiveView<S>,
     ball: PerspectiveBall<S>,
 }
 
-/// A row of a cone, seen from an eye.
+/// A row of a cone, seen from an eye: values in its middle.
 #[derive(Debug, Clone, Copy)]
 pub struct PerspectiveRow<S: Scalar> {
-    wall: PixelRow<S>,
+    from: [S::Wide; 3],
+    step: [S::Wide; 3],
     caps: planes::PerspectiveRow<S>,
 }

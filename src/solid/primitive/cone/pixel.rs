@@ -1,80 +1,48 @@
 //! What both cameras have in common: the ray of any pixel, in the cone's own frame.
 
-use super::Cone;
-use crate::geom::{Affine, OrthographicRays};
+use super::{Cone, frame};
+use crate::geom::{OrthographicRays, Vec3};
 use crate::quadric::{Conic, meet};
-use crate::scalar::{Number, Scalar};
-use crate::solid::primitive::cylinder::frame;
+use crate::scalar::{Number, Real, Scalar};
 
-/// A cone in a picture: values in the middle, and their steps to the right and down.
+/// A cone in a picture: the coordinates of [`Conic`], which are affine in the pixel.
 #[derive(Debug, Clone, Copy)]
 pub struct PixelView<S: Scalar> {
-    from: [[S::Wide; 3]; 3],
-    /// In the middle; its steps are those of `from` times the convergence.
-    step: [S::Wide; 3],
-    convergence: S::Wide,
-}
-
-/// A row of a cone in a picture: the coordinates of [`Conic`].
-#[derive(Debug, Clone, Copy)]
-pub struct PixelRow<S: Scalar> {
-    from: [Affine<S::Wide>; 3],
-    step: [Affine<S::Wide>; 3],
+    /// In the middle of the picture, and the steps to the right and down.
+    pub(super) from: [[S::Wide; 3]; 3],
+    /// In the middle of the picture.
+    pub(super) step: [S::Wide; 3],
 }
 
 impl<S: Scalar> PixelView<S> {
-    pub(super) const EMPTY: Self = Self {
-        from: [[S::Wide::ZERO; 3]; 3],
-        step: [S::Wide::ZERO; 3],
-        convergence: S::Wide::ZERO,
-    };
+    pub(super) const EMPTY: Self = Self { from: [[S::Wide::ZERO; 3]; 3], step: [S::Wide::ZERO; 3] };
 
-    /// Along rays whose directions change by `convergence` times the way in the image plane.
-    pub(super) fn new(cone: &Cone<S>, plane: &OrthographicRays<S>, convergence: S::Wide) -> Self {
+    pub(super) fn new(cone: &Cone<S>, plane: &OrthographicRays<S>) -> Self {
         let Cone { taper, caps } = cone;
         let (axis, base) = (&caps.normal, taper.base.wide());
         let [along, outward] = taper.slant.map(S::wide_unit);
         let across = frame(axis.wide());
-        let lengths = |way: crate::geom::Vec3<S::Wide>| {
+        let lengths = |way: Vec3<S::Wide>| {
             let moment = way.cross(axis.wide());
             let [x, y] = across.map(|side| side.dot(moment) * along);
             [x, y, axis.dot_wide(way) * outward]
         };
-        let [middle, right, down] = plane.steps(base).map(lengths);
-        let [x, y, above] = middle;
-        let radius = taper.radii[0].wide() * along
-            + (axis.dot_wide(base) - caps.low.wide()) * outward
-            + above;
-        let steps = |i: usize, middle: S::Wide| {
-            let of = |v: [S::Wide; 3]| v.get(i).copied().unwrap_or(S::Wide::ZERO);
-            [middle, of(right), of(down)]
-        };
-        Self {
-            from: [steps(0, x), steps(1, y), steps(2, radius)],
-            step: lengths(plane.forward),
-            convergence,
-        }
+        let [[x, y, above], right, down] = plane.steps(base).map(lengths);
+        let at_base = (axis.dot_wide(base) - caps.low.wide()) * outward;
+        let radius = taper.radii[0].wide() * along + at_base + above;
+        Self { from: [[x, y, radius], right, down], step: lengths(plane.forward) }
     }
 
-    pub(super) fn row(&self, y: i32) -> PixelRow<S> {
-        let from = self.from.map(|of| Affine::row(of, y));
-        let [x, across, radius] = self.from;
-        let turn = |[_, right, down]: [S::Wide; 3], middle: S::Wide| {
-            let way = Affine::row([S::Wide::ZERO, right, down], y).times(self.convergence);
-            Affine { middle: middle + way.middle, ..way }
-        };
-        let [to_x, to_across, growth] = self.step;
-        PixelRow { from, step: [turn(x, to_x), turn(across, to_across), turn(radius, growth)] }
+    /// Where a pixel's ray is inside the nappe between the caps, by its values in the row's middle.
+    #[inline(always)]
+    pub(super) fn chord(&self, from: &[S::Wide; 3], step: [S::Wide; 3], x: i32) -> Option<[S; 2]> {
+        let from = after(from, &self.from[1], x).map(S::from_wide);
+        meet::conic(&Conic { from, step: step.map(S::unit) })
     }
 }
 
-impl<S: Scalar> PixelRow<S> {
-    /// Where the ray of a pixel is inside the nappe between the caps.
-    #[inline(always)]
-    pub(super) fn chord(&self, x: i32) -> Option<[S; 2]> {
-        meet::conic(&Conic {
-            from: self.from.map(|part| S::from_wide(part.at(x))),
-            step: self.step.map(|part| S::unit(part.at(x))),
-        })
-    }
+/// So many steps farther.
+#[inline(always)]
+pub(super) fn after<T: Real>([a, b, c]: &[T; 3], [u, v, w]: &[T; 3], count: i32) -> [T; 3] {
+    [a.after_steps(*u, count), b.after_steps(*v, count), c.after_steps(*w, count)]
 }
