@@ -102,7 +102,7 @@ per_scalar! { $S: impl[] Cone<$S> {
         x_min: $S,
         x_max: $S,
     ) -> Result<Self, ConeError> {
-        Self::inside(Cylinder::<$S>::along_x(y, z, Self::widest(radii), x_min, x_max), radii)
+        Self::inside(Cylinder::<$S>::along_x(y, z, Self::larger(radii), x_min, x_max), radii)
     }
 
     /// A cone along the y axis, around the line at (`x`, `z`), from `y_min` to `y_max`.
@@ -116,7 +116,7 @@ per_scalar! { $S: impl[] Cone<$S> {
         y_min: $S,
         y_max: $S,
     ) -> Result<Self, ConeError> {
-        Self::inside(Cylinder::<$S>::along_y(x, z, Self::widest(radii), y_min, y_max), radii)
+        Self::inside(Cylinder::<$S>::along_y(x, z, Self::larger(radii), y_min, y_max), radii)
     }
 
     /// A cone along the z axis, around the line at (`x`, `y`), from `z_min` to `z_max`.
@@ -130,7 +130,7 @@ per_scalar! { $S: impl[] Cone<$S> {
         z_min: $S,
         z_max: $S,
     ) -> Result<Self, ConeError> {
-        Self::inside(Cylinder::<$S>::along_z(x, y, Self::widest(radii), z_min, z_max), radii)
+        Self::inside(Cylinder::<$S>::along_z(x, y, Self::larger(radii), z_min, z_max), radii)
     }
 
     /// A cone from the middle of one cap to the middle of the other, with a radius at either.
@@ -145,10 +145,10 @@ per_scalar! { $S: impl[] Cone<$S> {
         to: Vec3<$S>,
         radii: [$S; 2],
     ) -> Result<Self, ConeError> {
-        Self::inside(Cylinder::<$S>::between(from, to, Self::widest(radii)), radii)
+        Self::inside(Cylinder::<$S>::between(from, to, Self::larger(radii)), radii)
     }
 
-    const fn widest([low, high]: [$S; 2]) -> $S {
+    const fn larger([low, high]: [$S; 2]) -> $S {
         if ConstOps::<$S>::is_below(low, high) { high } else { low }
     }
 
@@ -222,19 +222,23 @@ impl<S: Scalar> Cone<S> {
         Ok(Self { taper: Taper { base: wall.base, radii, slant: [along, outward] }, caps })
     }
 
+    fn widest(&self) -> S::Wide {
+        let [low, high] = self.taper.radii;
+        low.max(high).wide()
+    }
+
     /// A ball that holds the whole cone: both rims lie on it, or the larger one is its equator.
     fn bounding_ball(&self) -> (Vec3<S::Wide>, S::Wide) {
         let Self { taper, caps } = self;
-        let (axis, base) = (&caps.normal, taper.base.wide());
         let [low, high] = [caps.low, caps.high].map(S::wide);
         let [first, last] = taper.radii.map(S::wide);
         let half = (high - low) * S::Wide::HALF;
         let towards_larger = (last - first) / (high - low) * ((first + last) * S::Wide::HALF);
-        let beyond_middle = towards_larger.max(-half).min(half);
-        let middle = low + half + beyond_middle - axis.dot_wide(base);
+        let shift = towards_larger.max(-half).min(half);
+        let middle = low + half + shift - caps.normal.dot_wide(taper.base.wide());
         let to_rim = |along: S::Wide, radius: S::Wide| (along * along + radius * radius).sqrt();
-        let radius = to_rim(half + beyond_middle, first).max(to_rim(half - beyond_middle, last));
-        (base + axis.wide() * middle, radius)
+        let radius = to_rim(half + shift, first).max(to_rim(half - shift, last));
+        (taper.base.wide() + caps.normal.wide() * middle, radius)
     }
 }
 

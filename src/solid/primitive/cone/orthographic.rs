@@ -2,15 +2,15 @@
 //!
 //! All rays have the same angle to the axis. If they are clearly flatter than the side, a pixel's chord is
 //! `middle ± √(w² − κ²) · stretch`, as a cylinder's, but w is affine in the column, as κ and the middle are.
-//! With g the third coordinate of a [`Conic`](crate::quadric::Conic) and s its step, and with q the place
-//! and |d| the way across the axis along the ray, `w = (g·|d| − s·q)/√a` and
-//! `middle = (g·s − cos² q·|d|)/a`, where `a = cos²|d|² − s²`. The lines w = ±κ are the outline of the wall.
+//! With the coordinates x, κ and g of a [`Conic`](crate::quadric::Conic), whose steps are d, 0 and s,
+//! `w = (g·d − s·x)/√a` and `middle = (g·s − x·d)/a`, where `a = d² − s²`. The lines w = ±κ are the outline
+//! of the wall.
 //!
 //! If they are clearly steeper, a < 0, it is `middle ± √(w² + κ²) · stretch` with |a| under the root: one of
 //! the two, and the cone is beyond it. Rays nearly along the side are asked one by one.
 
 use super::pixel::{PixelView, after};
-use super::{Cone, cut, frame, set_common};
+use super::{Cone, cut, set_common};
 use crate::geom::{Affine, Extent, OrthographicRays, Vec3};
 use crate::scalar::{Number, Real, Scalar};
 use crate::scan::bounds::{Rows, Steps};
@@ -24,18 +24,38 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cone<S> {
     type Spans = [Span<S>; 1];
 
     fn view(&self, rays: &OrthographicRays<S>) -> OrthographicView<S> {
-        let from_base = rays.center - self.taper.base.wide();
-        let [rows, columns] = [rays.down, rays.right].map(|way| {
-            let at = Affine { middle: from_base.dot_compensated(way), step: rays.half_pixel };
-            self.strip(rays, way).steps(at)
-        });
-        let fast = self.fast(rays);
+        let (mut wall, side) = PixelView::new(self, rays);
+        let [way, _, growth] = wall.step;
+        let a = S::Wide::product_difference(way, way, growth, growth);
+        let curve = match () {
+            () if a.abs() * S::Wide::from_int(32) < S::Wide::ONE => Curve::Any,
+            () if a > S::Wide::ZERO => Curve::Ellipse,
+            () if growth > S::Wide::ZERO => Curve::After,
+            () => Curve::Before,
+        };
+        let widest = self.widest() * S::wide_unit(self.taper.slant[0]);
+        let (mut sides, mut stretch) = ([-widest, widest], S::Wide::ZERO);
+        if curve != Curve::Any {
+            stretch = S::Wide::ONE / a.abs().sqrt();
+            let (inverse, crossed) = (S::Wide::ONE / a, S::Wide::product_difference);
+            wall.from = wall.from.map(|[x, distance, radius]| {
+                let width = crossed(radius, way, growth, x) * stretch;
+                [width, distance, crossed(radius, growth, x, way) * inverse]
+            });
+        }
+        if curve == Curve::Ellipse {
+            // At a point inside, no coordinate is larger than r·cos.
+            sides = [S::Wide::ZERO, widest + widest * (way + growth.abs()) * stretch];
+        }
+        let rows = self.strip(rays, rays.down);
         OrthographicView {
-            wall: fast.map_or_else(|| PixelView::new(self, rays), |(wall, _)| wall),
-            fast: fast.map(|(_, fast)| fast),
+            curve,
+            stretch: S::scale(stretch),
+            wall,
+            sides,
+            ends: self.strip(rays, side.cross(rays.forward)),
             caps: self.caps.orthographic_view(rays),
-            rows: Rows::of(rows),
-            columns,
+            rows: Rows::of(rows.steps(rows.at[0], rows.at[2])),
         }
     }
 
@@ -52,22 +72,21 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cone<S> {
         columns: u32,
         row: &mut OrthographicRow<S>,
     ) -> Extent {
-        let [middle, right, down] = &view.wall.from;
+        let OrthographicView { wall, ends, sides: [low, high], .. } = view;
+        let [middle, right, down] = &wall.from;
         row.from = after(middle, down, y);
-        let steps = match &view.fast {
-            Some(fast) => {
-                let ([width, distance, _], [to_width, to_distance, _]) = (row.from, *right);
-                let inside = |middle, step| fast.sides.steps(Affine { middle, step });
-                let sides = if fast.curve == Curve::Ellipse {
-                    inside(width + distance, to_width + to_distance)
-                        .overlap(inside(width - distance, to_width - to_distance))
-                } else {
-                    inside(distance, to_distance)
-                };
-                fast.ends.steps(Affine::row(fast.along, y)).overlap(sides)
-            }
-            None => view.columns,
+        let ([width, distance, _], [to_width, to_distance, _]) = (row.from, *right);
+        // A width has larger terms than a length.
+        let size = ends.size * S::Wide::from_int(8);
+        let sides = |middle, step| Steps::between::<S>(Affine { middle, step }, *low, *high, size);
+        let sides = if view.curve == Curve::Ellipse {
+            sides(width + distance, to_width + to_distance)
+                .overlap(sides(width - distance, to_width - to_distance))
+        } else {
+            sides(distance, to_distance)
         };
+        let along = Affine::row(ends.at, y);
+        let steps = sides.overlap(ends.steps(along.middle, along.step));
         if steps.are_beside(columns) {
             return Extent::EMPTY;
         }
@@ -83,169 +102,145 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cone<S> {
         x: i32,
         [span]: &mut [Span<S>; 1],
     ) {
-        *span = Span::NOWHERE;
-        let wall = &view.wall;
-        let chord = match &view.fast {
-            Some(fast) => {
-                let [width, distance, middle] = after(&row.from, &wall.from[1], x);
-                fast.chord([width, distance].map(S::from_wide), middle)
-            }
-            None => wall.chord(&row.from, wall.step, x),
+        let (Curve::Ellipse, Caps::Across(ends)) = (view.curve, &row.caps) else {
+            return self.set_rare(view, row, x, span);
         };
-        let Some(chord) = chord else { return };
-        match &row.caps {
-            Caps::Across(ends) => {
-                let faces = faces(view.caps.high_first());
-                set_common(span, chord, ends.at(&view.caps, x), faces);
+        match view.chord(row, x) {
+            Some(chord) => {
+                set_common(span, chord, ends.at(&view.caps, x), faces(view.caps.high_first()));
             }
-            Caps::EdgeOn(caps) => cut(span, chord, self.caps.edge_on_span(caps, x)),
-            Caps::Nowhere => {}
+            None => *span = Span::NOWHERE,
         }
     }
 }
 
 impl<S: Scalar> Cone<S> {
+    /// Sets the span of a ray that meets the wall once, or runs nearly along the side or along the caps.
+    #[inline(never)]
+    fn set_rare(
+        &self,
+        view: &OrthographicView<S>,
+        row: &OrthographicRow<S>,
+        x: i32,
+        span: &mut Span<S>,
+    ) {
+        *span = Span::NOWHERE;
+        let chord = match view.curve {
+            Curve::Ellipse => view.chord(row, x),
+            Curve::Any => view.wall.chord(&row.from, view.wall.step, x),
+            Curve::After | Curve::Before => Some(view.steep_chord(row, x)),
+        };
+        let caps = match &row.caps {
+            Caps::Across(ends) => ends.span(&view.caps, x),
+            Caps::EdgeOn(caps) => self.caps.edge_on_span(caps, x),
+            Caps::Nowhere => None,
+        };
+        if let Some(chord) = chord {
+            cut(span, chord, caps);
+        }
+    }
+
     /// Where the cone is along a direction, as seen from its base.
     fn strip(&self, rays: &OrthographicRays<S>, way: Vec3<S::Wide>) -> Strip<S> {
         let Self { taper, caps } = self;
         let (axis, base) = (&caps.normal, taper.base.wide());
         let (slope, at_base) = (axis.dot_wide(way), axis.dot_wide(base));
-        // The discs of the caps are so wide; what a square loses is added.
+        // How much of a radius a cap's disc has along the direction; what squares lose is added.
         let lost = S::Wide::QUANTUM * S::Wide::from_int(8);
         let part = (axis.wide().cross(way).length_squared() + lost).sqrt();
-        let [low, high] =
-            [(caps.low, taper.radii[0]), (caps.high, taper.radii[1])].map(|(offset, radius)| {
-                let (middle, half) = ((offset.wide() - at_base) * slope, radius.wide() * part);
-                [middle - half, middle + half]
-            });
-        let [low_end, high_end] = [caps.low, caps.high].map(|offset| offset.wide().abs());
-        let widest = taper.radii[0].max(taper.radii[1]).wide();
-        let size = (rays.center - base).max_abs() + at_base.abs() + low_end + high_end + widest;
-        // Three coordinates, each of which is as large as that.
-        Strip { low: low[0].min(high[0]), high: low[1].max(high[1]), size: size + size + size }
-    }
-
-    /// What rays that are clearly flatter than the side, or steeper, have besides: with w, κ and the middle
-    /// for the wall's coordinates.
-    fn fast(&self, rays: &OrthographicRays<S>) -> Option<(PixelView<S>, Fast<S>)> {
-        let Self { taper, caps } = self;
-        let (axis, base) = (&caps.normal, taper.base.wide());
-        let [cosine, sine] = taper.slant.map(S::wide_unit);
-        let m = rays.forward.cross(axis.wide());
-        // An angle too small to divide by hardly moves a ray within the length of a scene.
-        let across = m.max_abs().is_divisor().then(|| m.normalized()).flatten();
-        let [n, _] = across.map_or_else(|| frame(axis.wide()), |n| [n; 2]);
-        let across = across.map_or(S::Wide::ZERO, |n| m.dot(n));
-        let (way, growth) = (across * cosine, axis.dot_wide(rays.forward) * sine);
-        let a = S::Wide::product_difference(way, way, growth, growth);
-        if a.abs() * S::Wide::from_int(32) < S::Wide::ONE {
-            return None;
+        let ends = [(caps.low, taper.radii[0]), (caps.high, taper.radii[1])];
+        let [[low, from], [high, to]] = ends.map(|(offset, radius)| {
+            let (middle, half) = ((offset.wide() - at_base) * slope, radius.wide() * part);
+            [middle - half, middle + half]
+        });
+        let reach = caps.low.wide().abs() + caps.high.wide().abs() + self.widest();
+        let size = (rays.center - base).max_abs() + at_base.abs() + reach;
+        Strip {
+            at: rays.steps(base).map(|step| step.dot_compensated(way)),
+            low: low.min(high),
+            high: from.max(to),
+            // Three coordinates, each of which is as large as that.
+            size: size + size + size,
         }
-        let curve = match () {
-            () if a > S::Wide::ZERO => Curve::Ellipse,
-            () if growth > S::Wide::ZERO => Curve::After,
-            () => Curve::Before,
-        };
-        let [root, inverse] = [S::Wide::ONE / a.abs().sqrt(), S::Wide::ONE / a];
-        let values = |v: Vec3<S::Wide>, radius: S::Wide| {
-            let radius = axis.dot_wide(v) * sine + radius;
-            let place = v.cross(axis.wide()).dot_compensated(n);
-            let width = S::Wide::product_difference(radius, across, growth, place) * root;
-            let middle = S::Wide::product_difference(radius, growth, place * cosine, way);
-            [width, v.dot_compensated(n), middle * inverse]
-        };
-        let radius =
-            taper.radii[0].wide() * cosine + (axis.dot_wide(base) - caps.low.wide()) * sine;
-        let steps @ [middle, right, down] = rays.steps(base);
-        let still = S::Wide::ZERO;
-        let from = [values(middle, radius), values(right, still), values(down, still)];
-        let along = n.cross(rays.forward);
-        let ends = self.strip(rays, along);
-        let widest = taper.radii[0].max(taper.radii[1]).wide();
-        let (low, high) = if curve == Curve::Ellipse {
-            // At a point inside, g is at most r·cos, and q and κ are at most r.
-            (S::Wide::ZERO, widest + widest * (way + growth.abs()) * root)
-        } else {
-            (-widest, widest)
-        };
-        let fast = Fast {
-            curve,
-            stretch: S::scale(cosine * root),
-            along: steps.map(|step| step.dot_compensated(along)),
-            sides: Strip { low, high, size: ends.size * S::Wide::from_int(8) },
-            ends,
-        };
-        Some((PixelView { from, step: [S::Wide::ZERO; 3] }, fast))
     }
-}
-
-/// A cone, seen along parallel rays.
-#[derive(Debug, Clone, Copy)]
-pub struct OrthographicView<S: Scalar> {
-    wall: PixelView<S>,
-    fast: Option<Fast<S>>,
-    caps: CapsView<S>,
-    rows: Rows,
-    columns: Steps,
 }
 
 /// How rays meet the wall's nappe.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Curve {
-    /// They are flatter than the side: twice.
+    /// Nearly along the side, or however.
+    Any,
+    /// Flatter than the side: twice.
     Ellipse,
-    /// They are steeper: once, and are inside behind that.
+    /// Steeper than the side: once, and they are inside behind that.
     After,
-    /// They are steeper: once, and are inside before that.
+    /// Steeper than the side: once, and they are inside before that.
     Before,
 }
 
-/// What all rays that are not nearly along the side have in common.
+/// A cone, seen along parallel rays.
 #[derive(Debug, Clone, Copy)]
-struct Fast<S: Scalar> {
+pub struct OrthographicView<S: Scalar> {
     curve: Curve,
     stretch: S::Scale,
-    /// The place in the picture along the axis: in the middle, and its steps to the right and down.
-    along: [S::Wide; 3],
+    /// Its coordinates are the width w, κ and the middle, but for any curve.
+    wall: PixelView<S>,
+    /// Of κ or of w ± κ, the least and the most.
+    sides: [S::Wide; 2],
     ends: Strip<S>,
-    sides: Strip<S>,
+    caps: CapsView<S>,
+    rows: Rows,
 }
 
-impl<S: Scalar> Fast<S> {
+impl<S: Scalar> OrthographicView<S> {
+    /// Where rays that are flatter than the side are inside the wall.
     #[inline(always)]
-    fn chord(&self, [width, distance]: [S; 2], middle: S::Wide) -> Option<[S; 2]> {
-        let around = |half: S| middle.around(half.stretched(self.stretch)).map(S::from_wide);
-        if self.curve == Curve::Ellipse {
-            // Beyond the tip, it is below zero.
-            return S::leg(width.max(S::ZERO), distance).map(around);
-        }
-        let [first, last] = around(S::length([width, distance, S::ZERO]));
-        let is_after = self.curve == Curve::After;
-        Some(if is_after { [last, S::HIGHEST] } else { [S::LOWEST, first] })
+    fn chord(&self, row: &OrthographicRow<S>, x: i32) -> Option<[S; 2]> {
+        let [width, distance, middle] = after(&row.from, &self.wall.from[1], x);
+        // Beyond the tip, the width is below zero.
+        let half = S::leg(S::from_wide(width).max(S::ZERO), S::from_wide(distance))?;
+        Some(middle.around(half.stretched(self.stretch)).map(S::from_wide))
+    }
+
+    /// Where steeper rays are.
+    fn steep_chord(&self, row: &OrthographicRow<S>, x: i32) -> [S; 2] {
+        let [width, distance, middle] = after(&row.from, &self.wall.from[1], x);
+        let half = S::length([S::from_wide(width), S::from_wide(distance), S::ZERO]);
+        let [first, last] = middle.around(half.stretched(self.stretch)).map(S::from_wide);
+        if self.curve == Curve::After { [last, S::HIGHEST] } else { [S::LOWEST, first] }
     }
 }
 
-/// Where a length is between two, with what its error depends on.
+/// A length along a direction in the middle of a picture, its steps to the right and down, and where the
+/// cone is.
 #[derive(Debug, Clone, Copy)]
 struct Strip<S: Scalar> {
+    at: [S::Wide; 3],
     low: S::Wide,
     high: S::Wide,
     size: S::Wide,
 }
 
 impl<S: Scalar> Strip<S> {
-    fn steps(&self, at: Affine<S::Wide>) -> Steps {
-        Steps::between::<S>(at, self.low, self.high, self.size)
+    fn steps(&self, middle: S::Wide, step: S::Wide) -> Steps {
+        Steps::between::<S>(Affine { middle, step }, self.low, self.high, self.size)
     }
 }
 
 impl<S: Scalar> Empty for OrthographicView<S> {
     const EMPTY: Self = Self {
+        curve: Curve::Any,
+        stretch: S::NO_SCALE,
         wall: PixelView::EMPTY,
-        fast: None,
+        sides: [S::Wide::ZERO; 2],
+        ends: Strip {
+            at: [S::Wide::ZERO; 3],
+            low: S::Wide::ZERO,
+            high: S::Wide::ZERO,
+            size: S::Wide::ZERO,
+        },
         caps: CapsView::EMPTY,
         rows: Rows::EMPTY,
-        columns: Steps::NONE,
     };
 }
 

@@ -15,7 +15,7 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cone<S> {
 
     fn view(&self, rays: &PerspectiveRays<S>) -> Self::View {
         let (center, radius) = self.bounding_ball();
-        let wall = PixelView::new(self, &rays.plane);
+        let (wall, _) = PixelView::new(self, &rays.plane);
         let [_, right, down] = wall.from;
         Some(PerspectiveView {
             wall,

@@ -5,7 +5,8 @@ use crate::geom::{OrthographicRays, Vec3};
 use crate::quadric::{Conic, meet};
 use crate::scalar::{Number, Real, Scalar};
 
-/// A cone in a picture: the coordinates of [`Conic`], which are affine in the pixel.
+/// A cone in a picture: the coordinates of [`Conic`], which are affine in the pixel. The first one is
+/// across the axis along the middle ray, the second one at right angles to both.
 #[derive(Debug, Clone, Copy)]
 pub struct PixelView<S: Scalar> {
     /// In the middle of the picture, and the steps to the right and down.
@@ -17,20 +18,22 @@ pub struct PixelView<S: Scalar> {
 impl<S: Scalar> PixelView<S> {
     pub(super) const EMPTY: Self = Self { from: [[S::Wide::ZERO; 3]; 3], step: [S::Wide::ZERO; 3] };
 
-    pub(super) fn new(cone: &Cone<S>, plane: &OrthographicRays<S>) -> Self {
+    /// The view, and the direction of its second coordinate.
+    pub(super) fn new(cone: &Cone<S>, plane: &OrthographicRays<S>) -> (Self, Vec3<S::Wide>) {
         let Cone { taper, caps } = cone;
         let (axis, base) = (&caps.normal, taper.base.wide());
-        let [along, outward] = taper.slant.map(S::wide_unit);
-        let across = frame(axis.wide());
-        let lengths = |way: Vec3<S::Wide>| {
-            let moment = way.cross(axis.wide());
-            let [x, y] = across.map(|side| side.dot(moment) * along);
-            [x, y, axis.dot_wide(way) * outward]
+        let [cosine, sine] = taper.slant.map(S::wide_unit);
+        let m = plane.forward.cross(axis.wide());
+        let across = m.max_abs().is_divisor().then(|| m.normalized()).flatten();
+        let side = across.unwrap_or_else(|| frame(axis.wide())[0]);
+        let lengths = |v: Vec3<S::Wide>| {
+            let place = v.cross(axis.wide()).dot_compensated(side);
+            [place * cosine, v.dot_compensated(side) * cosine, axis.dot_wide(v) * sine]
         };
         let [[x, y, above], right, down] = plane.steps(base).map(lengths);
-        let at_base = (axis.dot_wide(base) - caps.low.wide()) * outward;
-        let radius = taper.radii[0].wide() * along + at_base + above;
-        Self { from: [[x, y, radius], right, down], step: lengths(plane.forward) }
+        let at_base = (axis.dot_wide(base) - caps.low.wide()) * sine;
+        let radius = taper.radii[0].wide() * cosine + at_base + above;
+        (Self { from: [[x, y, radius], right, down], step: lengths(plane.forward) }, side)
     }
 
     /// Where a pixel's ray is inside the nappe between the caps, by its values in the row's middle.
