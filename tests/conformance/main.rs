@@ -11,6 +11,7 @@ use testkit::{caster, limits, number};
 
 mod bad_input;
 mod by_line;
+mod cones;
 mod constructors;
 mod cylinders;
 mod fixed_point;
