@@ -96,11 +96,7 @@ per_scalar! { $S: impl[] Cone<$S> {
     /// [`ConeError::NotFinite`], [`ConeError::Radius`], [`ConeError::TooFar`], or
     /// [`ConeError::Empty`] where `x_min ≥ x_max`.
     pub const fn along_x(
-        y: $S,
-        z: $S,
-        radii: [$S; 2],
-        x_min: $S,
-        x_max: $S,
+        y: $S, z: $S, radii: [$S; 2], x_min: $S, x_max: $S,
     ) -> Result<Self, ConeError> {
         Self::inside(Cylinder::<$S>::along_x(y, z, Self::larger(radii), x_min, x_max), radii)
     }
@@ -110,11 +106,7 @@ per_scalar! { $S: impl[] Cone<$S> {
     /// # Errors
     /// As [`along_x`](Self::along_x).
     pub const fn along_y(
-        x: $S,
-        z: $S,
-        radii: [$S; 2],
-        y_min: $S,
-        y_max: $S,
+        x: $S, z: $S, radii: [$S; 2], y_min: $S, y_max: $S,
     ) -> Result<Self, ConeError> {
         Self::inside(Cylinder::<$S>::along_y(x, z, Self::larger(radii), y_min, y_max), radii)
     }
@@ -124,11 +116,7 @@ per_scalar! { $S: impl[] Cone<$S> {
     /// # Errors
     /// As [`along_x`](Self::along_x).
     pub const fn along_z(
-        x: $S,
-        y: $S,
-        radii: [$S; 2],
-        z_min: $S,
-        z_max: $S,
+        x: $S, y: $S, radii: [$S; 2], z_min: $S, z_max: $S,
     ) -> Result<Self, ConeError> {
         Self::inside(Cylinder::<$S>::along_z(x, y, Self::larger(radii), z_min, z_max), radii)
     }

@@ -19,25 +19,21 @@ use crate::scan::{Empty, Leaf};
 use crate::span::Span;
 
 impl<S: Scalar> Leaf<OrthographicRays<S>> for Cone<S> {
-    type View = OrthographicView<S>;
+    type View = Option<OrthographicView<S>>;
     type Row = OrthographicRow<S>;
     type Spans = [Span<S>; 1];
 
-    fn view(&self, rays: &OrthographicRays<S>) -> OrthographicView<S> {
+    fn view(&self, rays: &OrthographicRays<S>) -> Self::View {
         let (mut wall, side) = PixelView::new(self, rays);
         let [way, _, growth] = wall.step;
-        let a = S::Wide::product_difference(way, way, growth, growth);
-        let curve = match () {
-            () if a.abs() * S::Wide::from_int(32) < S::Wide::ONE => Curve::Any,
-            () if a > S::Wide::ZERO => Curve::Ellipse,
-            () if growth > S::Wide::ZERO => Curve::After,
-            () => Curve::Before,
-        };
-        let widest = self.widest() * S::wide_unit(self.taper.slant[0]);
-        let (mut sides, mut stretch) = ([-widest, widest], S::Wide::ZERO);
-        if curve != Curve::Any {
+        let crossed = S::Wide::product_difference;
+        let a = crossed(way, way, growth, growth);
+        let (mut sides, mut stretch, mut curve) =
+            ([-S::Wide::ONE, S::Wide::ONE], S::Wide::ZERO, Curve::Any);
+        if a.abs() * S::Wide::from_int(32) > S::Wide::ONE {
+            curve = if a > S::Wide::ZERO { Curve::Ellipse } else { Curve::Steep };
             stretch = S::Wide::ONE / a.abs().sqrt();
-            let (inverse, crossed) = (S::Wide::ONE / a, S::Wide::product_difference);
+            let inverse = S::Wide::ONE / a;
             wall.from = wall.from.map(|[x, distance, radius]| {
                 let width = crossed(radius, way, growth, x) * stretch;
                 [width, distance, crossed(radius, growth, x, way) * inverse]
@@ -45,63 +41,57 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cone<S> {
         }
         if curve == Curve::Ellipse {
             // At a point inside, no coordinate is larger than r·cos.
-            sides = [S::Wide::ZERO, widest + widest * (way + growth.abs()) * stretch];
+            sides = [S::Wide::ZERO, S::Wide::ONE + (way + growth.abs()) * stretch];
         }
-        let rows = self.strip(rays, rays.down);
-        OrthographicView {
+        let widest = self.widest() * S::wide_unit(self.taper.slant[0]);
+        let (rows, along) =
+            (self.strip(rays, rays.down), self.strip(rays, side.cross(rays.forward)));
+        Some(OrthographicView {
             curve,
             stretch: S::scale(stretch),
             wall,
-            sides,
-            ends: self.strip(rays, side.cross(rays.forward)),
+            sides: sides.map(|part| part * widest),
+            along,
             caps: self.caps.orthographic_view(rays),
             rows: Rows::of(rows.steps(rows.at[0], rows.at[2])),
-        }
+        })
     }
 
     #[inline]
-    fn is_in_rows(&self, view: &OrthographicView<S>, rows: [i32; 2]) -> bool {
-        view.rows.meet(rows)
+    fn is_in_rows(&self, view: &Self::View, rows: [i32; 2]) -> bool {
+        view.as_ref().is_some_and(|view| view.rows.meet(rows))
     }
 
     #[inline(never)]
-    fn row(
-        &self,
-        view: &OrthographicView<S>,
-        y: i32,
-        columns: u32,
-        row: &mut OrthographicRow<S>,
-    ) -> Extent {
-        let OrthographicView { wall, ends, sides: [low, high], .. } = view;
+    fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
+        let Some(OrthographicView { curve, wall, sides: [low, high], along, caps, .. }) = view
+        else {
+            return Extent::EMPTY;
+        };
         let [middle, right, down] = &wall.from;
         row.from = after(middle, down, y);
         let ([width, distance, _], [to_width, to_distance, _]) = (row.from, *right);
         // A width has larger terms than a length.
-        let size = ends.size * S::Wide::from_int(8);
+        let size = along.size * S::Wide::from_int(8);
         let sides = |middle, step| Steps::between::<S>(Affine { middle, step }, *low, *high, size);
-        let sides = if view.curve == Curve::Ellipse {
+        let sides = if *curve == Curve::Ellipse {
             sides(width + distance, to_width + to_distance)
                 .overlap(sides(width - distance, to_width - to_distance))
         } else {
             sides(distance, to_distance)
         };
-        let along = Affine::row(ends.at, y);
-        let steps = sides.overlap(ends.steps(along.middle, along.step));
+        let ends = Affine::row(along.at, y);
+        let steps = sides.overlap(along.steps(ends.middle, ends.step));
         if steps.are_beside(columns) {
             return Extent::EMPTY;
         }
-        row.caps = self.caps.orthographic_row(&view.caps, y, columns);
+        row.caps = self.caps.orthographic_row(caps, y, columns);
         steps.columns(columns)
     }
 
     #[inline(always)]
-    fn spans(
-        &self,
-        view: &OrthographicView<S>,
-        row: &OrthographicRow<S>,
-        x: i32,
-        [span]: &mut [Span<S>; 1],
-    ) {
+    fn spans(&self, view: &Self::View, row: &Self::Row, x: i32, [span]: &mut [Span<S>; 1]) {
+        let Some(view) = view else { return };
         let (Curve::Ellipse, Caps::Across(ends)) = (view.curve, &row.caps) else {
             return self.set_rare(view, row, x, span);
         };
@@ -115,7 +105,7 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cone<S> {
 }
 
 impl<S: Scalar> Cone<S> {
-    /// Sets the span of a ray that meets the wall once, or runs nearly along the side or along the caps.
+    /// Sets the span of a ray that is steeper than the side, or runs nearly along it or along the caps.
     #[inline(never)]
     fn set_rare(
         &self,
@@ -124,18 +114,13 @@ impl<S: Scalar> Cone<S> {
         x: i32,
         span: &mut Span<S>,
     ) {
-        *span = Span::NOWHERE;
-        let chord = match view.curve {
-            Curve::Ellipse => view.chord(row, x),
-            Curve::Any => view.wall.chord(&row.from, view.wall.step, x),
-            Curve::After | Curve::Before => Some(view.steep_chord(row, x)),
-        };
         let caps = match &row.caps {
             Caps::Across(ends) => ends.span(&view.caps, x),
             Caps::EdgeOn(caps) => self.caps.edge_on_span(caps, x),
             Caps::Nowhere => None,
         };
-        if let Some(chord) = chord {
+        *span = Span::NOWHERE;
+        if let Some(chord) = view.chord(row, x) {
             cut(span, chord, caps);
         }
     }
@@ -150,15 +135,13 @@ impl<S: Scalar> Cone<S> {
         let part = (axis.wide().cross(way).length_squared() + lost).sqrt();
         let ends = [(caps.low, taper.radii[0]), (caps.high, taper.radii[1])];
         let [[low, from], [high, to]] = ends.map(|(offset, radius)| {
-            let (middle, half) = ((offset.wide() - at_base) * slope, radius.wide() * part);
-            [middle - half, middle + half]
+            ((offset.wide() - at_base) * slope).around(radius.wide() * part)
         });
         let reach = caps.low.wide().abs() + caps.high.wide().abs() + self.widest();
         let size = (rays.center - base).max_abs() + at_base.abs() + reach;
         Strip {
             at: rays.steps(base).map(|step| step.dot_compensated(way)),
-            low: low.min(high),
-            high: from.max(to),
+            ends: [low.min(high), from.max(to)],
             // Three coordinates, each of which is as large as that.
             size: size + size + size,
         }
@@ -172,10 +155,8 @@ enum Curve {
     Any,
     /// Flatter than the side: twice.
     Ellipse,
-    /// Steeper than the side: once, and they are inside behind that.
-    After,
-    /// Steeper than the side: once, and they are inside before that.
-    Before,
+    /// Steeper than the side: once.
+    Steep,
 }
 
 /// A cone, seen along parallel rays.
@@ -187,61 +168,45 @@ pub struct OrthographicView<S: Scalar> {
     wall: PixelView<S>,
     /// Of κ or of w ± κ, the least and the most.
     sides: [S::Wide; 2],
-    ends: Strip<S>,
+    along: Strip<S>,
     caps: CapsView<S>,
     rows: Rows,
 }
 
 impl<S: Scalar> OrthographicView<S> {
-    /// Where rays that are flatter than the side are inside the wall.
+    /// Where a ray is inside the wall.
     #[inline(always)]
     fn chord(&self, row: &OrthographicRow<S>, x: i32) -> Option<[S; 2]> {
+        if self.curve == Curve::Any {
+            return self.wall.chord(&row.from, self.wall.step, x);
+        }
         let [width, distance, middle] = after(&row.from, &self.wall.from[1], x);
-        // Beyond the tip, the width is below zero.
-        let half = S::leg(S::from_wide(width).max(S::ZERO), S::from_wide(distance))?;
-        Some(middle.around(half.stretched(self.stretch)).map(S::from_wide))
-    }
-
-    /// Where steeper rays are.
-    fn steep_chord(&self, row: &OrthographicRow<S>, x: i32) -> [S; 2] {
-        let [width, distance, middle] = after(&row.from, &self.wall.from[1], x);
-        let half = S::length([S::from_wide(width), S::from_wide(distance), S::ZERO]);
-        let [first, last] = middle.around(half.stretched(self.stretch)).map(S::from_wide);
-        if self.curve == Curve::After { [last, S::HIGHEST] } else { [S::LOWEST, first] }
+        let [width, distance] = [width, distance].map(S::from_wide);
+        let around = |half: S| middle.around(half.stretched(self.stretch)).map(S::from_wide);
+        if self.curve == Curve::Ellipse {
+            // Beyond the tip, the width is below zero.
+            return S::leg(width.max(S::ZERO), distance).map(around);
+        }
+        let [first, last] = around(S::length([width, distance, S::ZERO]));
+        let is_wider_behind = self.wall.step[2] > S::Wide::ZERO;
+        Some(if is_wider_behind { [last, S::HIGHEST] } else { [S::LOWEST, first] })
     }
 }
 
-/// A length along a direction in the middle of a picture, its steps to the right and down, and where the
-/// cone is.
+/// A length along a direction in the middle of a picture and its steps to the right and down, and from
+/// where to where the cone is.
 #[derive(Debug, Clone, Copy)]
 struct Strip<S: Scalar> {
     at: [S::Wide; 3],
-    low: S::Wide,
-    high: S::Wide,
+    ends: [S::Wide; 2],
     size: S::Wide,
 }
 
 impl<S: Scalar> Strip<S> {
     fn steps(&self, middle: S::Wide, step: S::Wide) -> Steps {
-        Steps::between::<S>(Affine { middle, step }, self.low, self.high, self.size)
+        let [low, high] = self.ends;
+        Steps::between::<S>(Affine { middle, step }, low, high, self.size)
     }
-}
-
-impl<S: Scalar> Empty for OrthographicView<S> {
-    const EMPTY: Self = Self {
-        curve: Curve::Any,
-        stretch: S::NO_SCALE,
-        wall: PixelView::EMPTY,
-        sides: [S::Wide::ZERO; 2],
-        ends: Strip {
-            at: [S::Wide::ZERO; 3],
-            low: S::Wide::ZERO,
-            high: S::Wide::ZERO,
-            size: S::Wide::ZERO,
-        },
-        caps: CapsView::EMPTY,
-        rows: Rows::EMPTY,
-    };
 }
 
 /// A row of a cone, seen along parallel rays: the wall's coordinates in its middle.

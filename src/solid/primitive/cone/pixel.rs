@@ -3,7 +3,7 @@
 use super::{Cone, frame};
 use crate::geom::{OrthographicRays, Vec3};
 use crate::quadric::{Conic, meet};
-use crate::scalar::{Number, Real, Scalar};
+use crate::scalar::{Real, Scalar};
 
 /// A cone in a picture: the coordinates of [`Conic`], which are affine in the pixel. The first one is
 /// across the axis along the middle ray, the second one at right angles to both.
@@ -16,8 +16,6 @@ pub struct PixelView<S: Scalar> {
 }
 
 impl<S: Scalar> PixelView<S> {
-    pub(super) const EMPTY: Self = Self { from: [[S::Wide::ZERO; 3]; 3], step: [S::Wide::ZERO; 3] };
-
     /// The view, and the direction of its second coordinate.
     pub(super) fn new(cone: &Cone<S>, plane: &OrthographicRays<S>) -> (Self, Vec3<S::Wide>) {
         let Cone { taper, caps } = cone;
