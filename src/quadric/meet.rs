@@ -4,16 +4,21 @@ use super::ball::Ball;
 use super::corners::Corners;
 use super::half_space::HalfSpace;
 use super::planes::{PlaneRoots, Planes};
+use super::taper::{Conic, Taper};
 use super::wall::Wall;
 use super::{fixed, float};
 use crate::geom::Line;
 use crate::scalar::{FixedPoint, Float, Formula, Roots, Scalar};
 use crate::span::Span;
 
-/// A question about a line, as a type with the bodies in floating and in fixed point.
+/// A question about a line, or after `of` about whatever it is, as a type with the bodies in floating and
+/// in fixed point.
 macro_rules! formula {
     ($(#[$docs:meta])* $name:ident($($of:ident: $Of:ident),+) -> $Output:ty, $Formula:ident) => {
-        struct $Formula<'a, S: Scalar>($(&'a $Of<S>,)+ &'a Line<S>);
+        formula! { $(#[$docs])* of $name($($of: $Of,)+ line: Line) -> $Output, $Formula }
+    };
+    ($(#[$docs:meta])* of $name:ident($($of:ident: $Of:ident),+) -> $Output:ty, $Formula:ident) => {
+        struct $Formula<'a, S: Scalar>($(&'a $Of<S>),+);
 
         impl<S: Scalar> Formula<S> for $Formula<'_, S> {
             type Output = $Output;
@@ -23,23 +28,23 @@ macro_rules! formula {
             where
                 S: Float,
             {
-                let Self($($of,)+ line) = self;
-                float::$name($($of,)+ line)
+                let Self($($of),+) = self;
+                float::$name($($of),+)
             }
 
             fn fixed(self) -> $Output
             where
                 S: FixedPoint,
             {
-                let Self($($of,)+ line) = self;
-                fixed::$name($($of,)+ line)
+                let Self($($of),+) = self;
+                fixed::$name($($of),+)
             }
         }
 
         $(#[$docs])*
         #[inline(always)]
-        pub(crate) fn $name<S: Scalar>($($of: &$Of<S>,)+ line: &Line<S>) -> $Output {
-            S::compute($Formula($($of,)+ line))
+        pub(crate) fn $name<S: Scalar>($($of: &$Of<S>),+) -> $Output {
+            S::compute($Formula($($of),+))
         }
     };
 }
@@ -54,6 +59,18 @@ formula! {
     /// Where a line enters a wall and where it exits, as far as these points are between the caps or
     /// on a rim. A tangent has both, at the same parameter.
     open_cylinder(wall: Wall, caps: Planes) -> [Option<S>; 2], OpenCylinder
+}
+
+formula! {
+    /// The part of a line inside a cone's wall and between the caps. Where both begin or end together,
+    /// the face is the cap's.
+    cone(taper: Taper, caps: Planes) -> Option<Span<S>>, InCone
+}
+
+formula! {
+    /// Where a pixel's ray is inside the nappe of a cone that is between the caps, and perhaps in the other
+    /// one beyond the tip.
+    of conic(ray: Conic) -> Option<[S; 2]>, InNappe
 }
 
 formula! {

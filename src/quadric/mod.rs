@@ -6,6 +6,7 @@
 //! | family | numbers | floating point | fixed point |
 //! |---|---|---|---|
 //! | cylinder | [`Wall`], cut by [`Planes`] | `float/cylinder.rs`; `aligned.rs`, `oblique.rs` by axis | `fixed/cylinder.rs` |
+//! | cone | [`Taper`], cut by [`Planes`]; [`Conic`] in pictures | `float/cone.rs` | `fixed/cone.rs` |
 //! | ball | [`Ball`] | `float/ball.rs` | `fixed/ball.rs` |
 //! | two parallel planes | [`Planes`] | `float/planes.rs` | `fixed/planes.rs` |
 //! | box | [`Corners`] | `float/planes.rs` | `fixed/planes.rs` |
@@ -21,10 +22,12 @@ mod float;
 mod half_space;
 pub(crate) mod meet;
 mod planes;
+mod taper;
 mod wall;
 
 pub(crate) use ball::Ball;
 pub(crate) use corners::Corners;
 pub use half_space::HalfSpace;
 pub(crate) use planes::{PlaneRoots, Planes};
+pub(crate) use taper::{Conic, Taper};
 pub(crate) use wall::{WALL, Wall};

@@ -1,8 +1,8 @@
 //! The operators `|`, `&` and `-`, of every solid with any other.
 
 use super::{
-    Boolean, ByLine, Cuboid, Cylinder, Difference, HalfSpace, Intersection, Many, Painted, Pipe,
-    Placed, Polyhedron, Slab, Sphere, Union,
+    Boolean, ByLine, Cone, Cuboid, Cylinder, Difference, HalfSpace, Intersection, Many, Painted,
+    Pipe, Placed, Polyhedron, Slab, Sphere, Union,
 };
 use crate::scalar::Scalar;
 use crate::span::Shape;
@@ -35,6 +35,7 @@ macro_rules! operators {
 
 operators! {
     [S: Scalar] Cuboid<S>,
+    [S: Scalar] Cone<S>,
     [S: Scalar] Cylinder<S>,
     [S: Scalar] HalfSpace<S>,
     [S: Scalar, const N: usize, F] Polyhedron<S, N, F>,

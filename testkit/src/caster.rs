@@ -9,9 +9,26 @@ pub use crate::vector::{V, add, cross, dot, length, sub, times, unit};
 /// A solid as a tree of points' properties.
 #[derive(Debug, Clone)]
 pub enum Solid {
-    Cylinder { from: V, to: V, radius: f64 },
-    Sphere { center: V, radius: f64 },
-    Slab { normal: V, low: f64, high: f64 },
+    Cylinder {
+        from: V,
+        to: V,
+        radius: f64,
+    },
+    /// With a radius at either end.
+    Cone {
+        from: V,
+        to: V,
+        radii: [f64; 2],
+    },
+    Sphere {
+        center: V,
+        radius: f64,
+    },
+    Slab {
+        normal: V,
+        low: f64,
+        high: f64,
+    },
     Any(Vec<Solid>),
     All(Vec<Solid>),
     Minus(Box<Solid>, Box<Solid>),
@@ -45,6 +62,16 @@ impl Solid {
                 let way = times(unit(sub(*to, *from)), by);
                 Self::Cylinder { from: sub(*from, way), to: add(*to, way), radius: radius + by }
             }
+            Self::Cone { from, to, radii: [low, high] } => {
+                // Wider where the side moves out, and as the caps do.
+                let (axis, rise) = (sub(*to, *from), high - low);
+                let way = times(unit(axis), by);
+                let slope = rise / length(axis);
+                let wider = by * (1.0 + slope * slope).sqrt();
+                let radii = [low + wider - by * slope, high + wider + by * slope];
+                let radii = radii.map(|radius| radius.max(0.0));
+                Self::Cone { from: sub(*from, way), to: add(*to, way), radii }
+            }
             Self::Sphere { center, radius } => {
                 Self::Sphere { center: *center, radius: radius + by }
             }
@@ -68,6 +95,13 @@ impl Solid {
                 let across = cross(u, unit(axis));
                 (0.0..=dot(axis, axis)).contains(&along) && length(across) <= *radius
             }
+            Self::Cone { from, to, radii: [low, high] } => {
+                let axis = sub(*to, *from);
+                let u = sub(p, *from);
+                let part = dot(u, axis) / dot(axis, axis);
+                let radius = low + (high - low) * part;
+                (0.0..=1.0).contains(&part) && length(cross(u, unit(axis))) <= radius
+            }
             Self::Sphere { center, radius } => length(sub(p, *center)) <= *radius,
             Self::Slab { normal, low, high } => (*low..=*high).contains(&dot(p, unit(*normal))),
             Self::Any(parts) => parts.iter().any(|part| part.contains(p)),
@@ -87,6 +121,18 @@ impl Solid {
                 let reject = |v: V| sub(v, times(axis, dot(v, axis)));
                 let (u, d) = (reject(sub(ray.origin, *from)), reject(ray.direction));
                 quadratic(u, d, *radius, found);
+            }
+            Self::Cone { from, to, radii: [low, high] } => {
+                let way = sub(*to, *from);
+                let axis = unit(way);
+                plane(ray, times(axis, -1.0), -dot(axis, *from), found);
+                plane(ray, axis, dot(axis, *to), found);
+                let slope = (high - low) / length(way);
+                let reject = |v: V| sub(v, times(axis, dot(v, axis)));
+                let u = sub(ray.origin, *from);
+                let radius = low + slope * dot(u, axis);
+                let growth = slope * dot(ray.direction, axis);
+                nappes(reject(u), reject(ray.direction), [radius, growth], (axis, slope), found);
             }
             Self::Sphere { center, radius } => {
                 quadratic(sub(ray.origin, *center), ray.direction, *radius, found);
@@ -154,6 +200,21 @@ fn quadratic(u: V, d: V, radius: f64, found: &mut Vec<Crossing>) {
         for root in [-discriminant.sqrt(), discriminant.sqrt()] {
             let t = (-b + root) / a;
             found.push(Crossing { t, normal: times(add(u, times(d, t)), 1.0 / radius) });
+        }
+    }
+}
+
+/// |u + t·d| = ±(r + t·g), with one root or two; the normal leans against the axis by the slope.
+fn nappes(u: V, d: V, [r, g]: [f64; 2], (axis, slope): (V, f64), found: &mut Vec<Crossing>) {
+    let (a, b, c) = (dot(d, d) - g * g, dot(u, d) - r * g, dot(u, u) - r * r);
+    let discriminant = (b * b - a * c).max(0.0);
+    // The larger of −b ± √D, so that neither root is lost where a is about zero.
+    let s = -b - discriminant.sqrt().copysign(b);
+    for t in [s / a, c / s] {
+        let outward = unit(add(u, times(d, t)));
+        let normal = unit(sub(outward, times(axis, slope)));
+        if t.is_finite() {
+            found.push(Crossing { t, normal });
         }
     }
 }

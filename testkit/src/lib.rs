@@ -6,6 +6,7 @@
 pub mod bspline;
 pub mod bspline_table;
 pub mod caster;
+pub mod cone_oracle;
 pub mod cylinder_table;
 pub mod limits;
 pub mod number;

@@ -6,7 +6,7 @@ use fixed::types::{I8F24, I20F12, I24F8};
 use scancsg::geom::{Pose, PoseError, Ray, Vec3, vec3};
 use scancsg::scalar::{I16F16, Scalar};
 use scancsg::solid::{
-    Cylinder, CylinderError, RayCast, Slab, SlabError, Solid, Sphere, SphereError,
+    Cone, ConeError, Cylinder, CylinderError, RayCast, Slab, SlabError, Solid, Sphere, SphereError,
 };
 use scancsg::span::SpanList;
 
@@ -65,6 +65,21 @@ pub trait Tested: Scalar {
         radius: Self,
     ) -> Result<Cylinder<Self>, CylinderError>;
 
+    /// A cone as [`along`](Self::along) makes cylinders.
+    fn cone_along(
+        axis: usize,
+        middle: [Self; 2],
+        radii: [Self; 2],
+        low: Self,
+        high: Self,
+    ) -> Result<Cone<Self>, ConeError>;
+
+    fn cone_between(
+        from: Vec3<Self>,
+        to: Vec3<Self>,
+        radii: [Self; 2],
+    ) -> Result<Cone<Self>, ConeError>;
+
     fn slab_along(axis: usize, low: Self, high: Self) -> Result<Slab<Self>, SlabError>;
 
     fn slab(normal: Vec3<Self>, low: Self, high: Self) -> Result<Slab<Self>, SlabError>;
@@ -97,6 +112,28 @@ macro_rules! constructors {
             radius: Self,
         ) -> Result<Cylinder<Self>, CylinderError> {
             Cylinder::<$S>::between(from, to, radius)
+        }
+
+        fn cone_along(
+            axis: usize,
+            [a, b]: [Self; 2],
+            radii: [Self; 2],
+            low: Self,
+            high: Self,
+        ) -> Result<Cone<Self>, ConeError> {
+            match axis {
+                0 => Cone::<$S>::along_x(a, b, radii, low, high),
+                1 => Cone::<$S>::along_y(a, b, radii, low, high),
+                _ => Cone::<$S>::along_z(a, b, radii, low, high),
+            }
+        }
+
+        fn cone_between(
+            from: Vec3<Self>,
+            to: Vec3<Self>,
+            radii: [Self; 2],
+        ) -> Result<Cone<Self>, ConeError> {
+            Cone::<$S>::between(from, to, radii)
         }
 
         fn slab_along(axis: usize, low: Self, high: Self) -> Result<Slab<Self>, SlabError> {

@@ -9,7 +9,7 @@ use crate::number::{Tested, between, coordinates, ray, rod, spans, vector};
 use proptest::prelude::*;
 use scancsg::geom::{Line, Pose, Ray, Vec3, vec3};
 use scancsg::solid::{
-    Cylinder, Difference, Intersection, Placed, RayCast, Shape, Slab, Solid, Sphere, Union,
+    Cone, Cylinder, Difference, Intersection, Placed, RayCast, Shape, Slab, Solid, Sphere, Union,
 };
 use scancsg::span::{Face, SpanList, SpanStack};
 
@@ -35,6 +35,7 @@ for_every_number!(
 #[derive(Debug, Clone, Copy)]
 enum Primitive<S: Tested> {
     Cylinder(Cylinder<S>),
+    Cone(Cone<S>),
     Slab(Slab<S>),
     Sphere(Sphere<S>),
 }
@@ -50,6 +51,7 @@ impl<S: Tested> Solid for Primitive<S> {
     fn spans(&self, line: &Line<S>, first: Face, stack: &mut SpanStack<'_, S>) {
         match self {
             Self::Cylinder(solid) => solid.spans(line, first, stack),
+            Self::Cone(solid) => solid.spans(line, first, stack),
             Self::Slab(solid) => solid.spans(line, first, stack),
             Self::Sphere(solid) => solid.spans(line, first, stack),
         }
@@ -58,6 +60,7 @@ impl<S: Tested> Solid for Primitive<S> {
     fn normal(&self, face: Face, at: Vec3<S>) -> Vec3<S> {
         match self {
             Self::Cylinder(solid) => solid.normal(face, at),
+            Self::Cone(solid) => solid.normal(face, at),
             Self::Slab(solid) => solid.normal(face, at),
             Self::Sphere(solid) => solid.normal(face, at),
         }
@@ -96,6 +99,11 @@ fn primitive<S: Tested>() -> BoxedStrategy<Primitive<S>> {
         }),
         2 => (point(), point(), size()).prop_filter_map("coincident", |(from, to, radius)| {
             S::between(from, to, radius).ok().map(Primitive::Cylinder)
+        }),
+        2 => (point(), point(), size(), size()).prop_filter_map("coincident", |(from, to, a, b)| {
+            // A tip for the smallest sizes.
+            let b = if b < S::near(0.6) { S::ZERO } else { b };
+            S::cone_between(from, to, [a, b]).ok().map(Primitive::Cone)
         }),
         1 => (point(), coordinate(), size())
             .prop_filter_map("no normal", |(normal, low, width): (_, S, S)| {

@@ -12,6 +12,7 @@ use testkit::{caster, limits, number};
 mod bad_input;
 mod by_line;
 mod compound;
+mod cones;
 mod constructors;
 mod cylinders;
 mod fixed_point;

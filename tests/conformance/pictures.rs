@@ -20,7 +20,7 @@ use scancsg::render::{
     Camera, Depth, Gray8, Lambert, Orthographic, Perspective, Picture, Shader, Size, XRay,
 };
 use scancsg::solid::{
-    Cylinder, Difference, Intersection, RayCast, Scan, Slab, Solid, Sphere, Union,
+    Cone, Cylinder, Difference, Intersection, RayCast, Scan, Slab, Solid, Sphere, Union,
 };
 use scancsg::span::SpanList;
 
@@ -340,11 +340,11 @@ fn tee_covers_41937_pixels() {
 // Random scenes.
 
 type Part<S> = Difference<
-    Union<[Cylinder<S>; 3], [Sphere<S>; 2]>,
-    Union<[Cylinder<S>; 2], Intersection<Slab<S>, Sphere<S>>>,
+    Union<Union<[Cylinder<S>; 3], [Sphere<S>; 2]>, Cone<S>>,
+    Union<Union<[Cylinder<S>; 2], Intersection<Slab<S>, Sphere<S>>>, Cone<S>>,
 >;
 
-fn point<S: Tested>() -> impl Strategy<Value = V> {
+pub fn point<S: Tested>() -> impl Strategy<Value = V> {
     prop::array::uniform3(-2.0..2.0).prop_map(held::<S>)
 }
 
@@ -366,6 +366,19 @@ fn cylinder<S: Tested>() -> impl Strategy<Value = (Cylinder<S>, ModelSolid)> {
     })
 }
 
+/// A cone, oblique or exactly along x, y or z, in both worlds: with a tip, about as wide at both ends, or
+/// neither.
+pub fn cone<S: Tested>() -> impl Strategy<Value = (Cone<S>, ModelSolid)> {
+    let slope = prop_oneof![Just(0.0), 0.0..1.0, 0.98..1.0];
+    (cylinder::<S>(), slope, prop::bool::ANY).prop_filter_map("no cone", |(rod, part, turn)| {
+        let ModelSolid::Cylinder { from, to, radius } = rod.1 else { return None };
+        let other = S::near(radius * part);
+        let radii = if turn { [other, S::near(radius)] } else { [S::near(radius), other] };
+        let solid = S::cone_between(vector(from), vector(to), radii).ok()?;
+        Some((solid, ModelSolid::Cone { from, to, radii: radii.map(S::to_f64) }))
+    })
+}
+
 fn sphere<S: Tested>() -> impl Strategy<Value = (Sphere<S>, ModelSolid)> {
     (point::<S>(), 0.3..1.2).prop_map(|(center, radius)| {
         let solid = number::ball(center, radius);
@@ -384,14 +397,14 @@ fn slab<S: Tested>() -> impl Strategy<Value = (Slab<S>, ModelSolid)> {
 
 fn part<S: Tested>() -> BoxedStrategy<(Part<S>, ModelSolid)> {
     let cylinders = (cylinder(), cylinder(), cylinder(), cylinder(), cylinder());
-    (cylinders, (sphere(), sphere(), sphere()), slab())
-        .prop_map(|((a, b, c, d, e), (f, g, h), i)| {
+    (cylinders, (sphere(), sphere(), sphere()), slab(), (cone(), cone()))
+        .prop_map(|((a, b, c, d, e), (f, g, h), i, (j, k))| {
             let solid = Difference::new(
-                Union::new([a.0, b.0, c.0], [f.0, g.0]),
-                Union::new([d.0, e.0], Intersection::new(i.0, h.0)),
+                Union::new(Union::new([a.0, b.0, c.0], [f.0, g.0]), j.0),
+                Union::new(Union::new([d.0, e.0], Intersection::new(i.0, h.0)), k.0),
             );
-            let cut = ModelSolid::Any(vec![d.1, e.1, ModelSolid::All(vec![i.1, h.1])]);
-            let body = ModelSolid::Any(vec![a.1, b.1, c.1, f.1, g.1]);
+            let cut = ModelSolid::Any(vec![d.1, e.1, ModelSolid::All(vec![i.1, h.1]), k.1]);
+            let body = ModelSolid::Any(vec![a.1, b.1, c.1, f.1, g.1, j.1]);
             (solid, ModelSolid::Minus(Box::new(body), Box::new(cut)))
         })
         .boxed()

@@ -9,7 +9,7 @@ use scancsg::geom::{Line, OrthographicRays, PerspectiveRays, Pose, Rays, Vec3};
 use scancsg::render::{Camera, Orthographic, Perspective, Size};
 use scancsg::scan::{ColumnRun, Empty, Leaf, Scan};
 use scancsg::solid::{
-    Cylinder, Difference, Intersection, Painted, Placed, Rgb, Slab, Solid, Sphere, Union,
+    Cone, Cylinder, Difference, Intersection, Painted, Placed, Rgb, Slab, Solid, Sphere, Union,
 };
 use scancsg::span::walk::{Cold, Hot, Path, Step};
 use scancsg::span::{Crossing, Face, Shape, Span, SpanList, SpanStack};
@@ -309,29 +309,32 @@ fn views() -> impl Strategy<Value = Views> {
 
 /// What a tree is built of: rods, balls and slabs, and a group of rods drilled by another one.
 #[derive(Debug, Clone)]
-struct Leaves<R, B, L> {
+struct Leaves<R, B, L, C> {
     r: [R; 8],
     b: [B; 4],
     s: [L; 3],
+    c: [C; 3],
     bored: Difference<[R; 2], [R; 2]>,
 }
 
-impl<R: Copy, B, L> Leaves<R, B, L> {
-    fn new(r: [R; 8], b: [B; 4], s: [L; 3]) -> Self {
-        Self { r, b, s, bored: Difference::new([r[0], r[1]], [r[2], r[3]]) }
+impl<R: Copy, B, L, C> Leaves<R, B, L, C> {
+    fn new(r: [R; 8], b: [B; 4], s: [L; 3], c: [C; 3]) -> Self {
+        Self { r, b, s, c, bored: Difference::new([r[0], r[1]], [r[2], r[3]]) }
     }
 }
 
-type Drawn<S> = Leaves<Cylinder<S>, Sphere<S>, Slab<S>>;
+type Drawn<S> = Leaves<Cylinder<S>, Sphere<S>, Slab<S>, Cone<S>>;
 
 impl<S: Tested> Drawn<S> {
     fn drawn(
         rod: impl Strategy<Value = Cylinder<S>>,
         ball: impl Strategy<Value = Sphere<S>>,
         slab: impl Strategy<Value = Slab<S>>,
+        cone: impl Strategy<Value = Cone<S>>,
     ) -> impl Strategy<Value = Self> {
         use proptest::array::{uniform3, uniform4, uniform8};
-        (uniform8(rod), uniform4(ball), uniform3(slab)).prop_map(|(r, b, s)| Self::new(r, b, s))
+        (uniform8(rod), uniform4(ball), uniform3(slab), uniform3(cone))
+            .prop_map(|(r, b, s, c)| Self::new(r, b, s, c))
     }
 
     /// Trees of all operations; operands of each kind on either side; groups of primitives and of trees,
@@ -339,7 +342,12 @@ impl<S: Tested> Drawn<S> {
     fn check(&self, views: &Views) -> Result<u32, TestCaseError> {
         let shift = S::translation(vector([0.5, -1.0, 0.5])).unwrap();
         let pose = Pose::rotation_z(S::near(0.5)).and_then(|turn| turn.then(&shift)).unwrap();
-        let all = Leaves::new(self.r.map(Listed), self.b.map(Listed), self.s.map(Listed));
+        let all = Leaves::new(
+            self.r.map(Listed),
+            self.b.map(Listed),
+            self.s.map(Listed),
+            self.c.map(Listed),
+        );
         // A tree of these, and the same of those that are listed.
         macro_rules! check {
             (|$of:ident| $($tree:expr;)+) => {
@@ -369,6 +377,8 @@ impl<S: Tested> Drawn<S> {
             );
             Intersection::new(of.b, [of.r[0] | of.r[1], of.r[2] | of.r[3]]);
             painted(of.r[0]) | (painted(of.r[1]) - Placed::new(&of.bored, pose));
+            Difference::new([of.c[0], of.c[1]], [of.r[0], of.r[1]]) | (of.c[2] & of.s[0]);
+            (of.r[0] - of.c[0]) | (of.b[0] - (of.c[1] | Placed::new(&of.c[2], pose)));
             Placed::new(&of.r[0], pose) & (of.b[0] | (Placed::new(&of.b[1], pose) - of.s[0]));
         };
         Ok(counts.into_iter().sum())
@@ -399,7 +409,16 @@ fn trees_of_whatever_touches<S: Tested>() {
         let [low, high] = [low, low + f64::from(wide) / 2.0].map(S::near);
         S::slab_along(axis, low, high).unwrap()
     });
-    check_trees(Drawn::drawn(rod, round, slab));
+    let radii = (0..4i32, 1..4i32, any::<bool>())
+        .prop_map(|(a, b, turn)| if turn { [a, b] } else { [b, a] });
+    let cone = (0..3usize, [grid(2), grid(2)], radii, grid(3), 1..5i32).prop_map(
+        |(axis, middle, radii, low, long)| {
+            let radii = radii.map(|halves| S::near(f64::from(halves) / 2.0));
+            let [low, high] = [low, low + f64::from(long) / 2.0].map(S::near);
+            S::cone_along(axis, middle.map(S::near), radii, low, high).unwrap()
+        },
+    );
+    check_trees(Drawn::drawn(rod, round, slab, cone));
 }
 
 /// Along any direction, anywhere.
@@ -413,7 +432,14 @@ fn trees_of_whatever_lies_askew<S: Tested>() {
     let slab = (direction(), -1.0..0.5f64, 0.2..1.5f64).prop_map(|(normal, low, wide)| {
         S::slab(vector(normal), S::near(low), S::near(low + wide)).unwrap()
     });
-    check_trees(Drawn::drawn(rod, round, slab));
+    let cone = (place(), direction(), 0.1..1.2f64, -0.5..1.2f64, 0.3..2.0f64).prop_map(
+        |(from, way, r, other, long)| {
+            let to = std::array::from_fn(|i| from[i] + way[i] * long);
+            let radii = [r, other.max(0.0)].map(S::near);
+            S::cone_between(vector(from), vector(to), radii).unwrap()
+        },
+    );
+    check_trees(Drawn::drawn(rod, round, slab, cone));
 }
 
 fn check_trees<S: Tested>(leaves: impl Strategy<Value = Drawn<S>>) {

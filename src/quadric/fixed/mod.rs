@@ -11,11 +11,13 @@
 //! 32 bits and a half `a t²` is at most 2¹²⁶. An oblique axis has 28 bits more and needs 256 bits.
 
 mod ball;
+mod cone;
 mod cylinder;
 mod lines;
 mod planes;
 mod quadratic;
 
 pub(super) use ball::ball;
+pub(super) use cone::{cone, conic};
 pub(super) use cylinder::{cylinder, open_cylinder};
 pub(super) use planes::{cuboid, half_spaces, planes};

@@ -8,7 +8,7 @@ use crate::span::{Crossing, Face, Span};
 
 /// Where a line crosses parallel planes: at `heights / speed`, in integers.
 pub(super) struct Crossings<const N: usize = 2> {
-    heights: [i64; N],
+    pub(super) heights: [i64; N],
     pub(super) speed: i64,
 }
 

@@ -12,6 +12,7 @@
 
 mod aligned;
 mod ball;
+mod cone;
 mod cylinder;
 mod doubles;
 mod oblique;
@@ -21,5 +22,6 @@ mod sums;
 mod units;
 
 pub(super) use ball::ball;
+pub(super) use cone::{cone, conic};
 pub(super) use cylinder::{cylinder, open_cylinder};
 pub(super) use planes::{cuboid, half_spaces, planes};

@@ -305,7 +305,7 @@ fn wall_span<S: Scalar>(enter: S, exit: S) -> Option<Span<S>> {
 /// Sets a span to what the wall's and the caps' have in common. Where both begin or end together, the
 /// face is the cap's.
 #[inline(always)]
-fn set_common<S: Scalar>(
+pub(super) fn set_common<S: Scalar>(
     span: &mut Span<S>,
     [enter, exit]: [S; 2],
     [near, far]: [S; 2],
@@ -340,7 +340,7 @@ impl<S: Scalar> Cylinder<S> {
 ///
 /// Duff et al., *Building an orthonormal basis, revisited*, Journal of Computer Graphics
 /// Techniques 6 (2017), listing 3. Exact for coordinate axes.
-fn frame<T: Real>(n: Vec3<T>) -> [Vec3<T>; 2] {
+pub(super) fn frame<T: Real>(n: Vec3<T>) -> [Vec3<T>; 2] {
     let sign = if n.z < T::ZERO { -T::ONE } else { T::ONE };
     let a = -(T::ONE / (sign + n.z));
     let b = n.x * n.y * a;
