@@ -1,6 +1,6 @@
 //! Two planes along parallel rays: both are crossed at parameters that are affine in the column.
 
-use crate::geom::{Affine, OrthographicRays, Vec3};
+use crate::geom::{Affine, OrthographicRays, Vec3, signed};
 use crate::quadric::Planes;
 use crate::scalar::{Number, Real, Scalar};
 use crate::scan::Empty;
@@ -31,7 +31,7 @@ impl<S: Scalar> Planes<S> {
             return OrthographicRow::EdgeOn(EdgeOn { height, step, speed: S::Wide::ZERO });
         }
         let [low, high] = [self.low, self.high].map(|offset| (offset.wide() - height) * inverse);
-        if [low, high].iter().all(|at| at.holds_steps(step, columns as i32)) {
+        if [low, high].iter().all(|at| at.holds_steps(step, signed(columns))) {
             let (near, far) = if view.high_first() { (high, low) } else { (low, high) };
             return OrthographicRow::Across(Ends { near, far });
         }
@@ -83,7 +83,7 @@ impl<S: Scalar> Ends<S> {
         let (near, far) = (self.near - reach, self.far + reach);
         // The ends move as well: what counts is how the middle moves along them.
         let along = Affine { step: middle.step - view.step, ..middle };
-        let way = S::Wide::ZERO.after_steps(middle.step, columns as i32);
+        let way = S::Wide::ZERO.after_steps(middle.step, signed(columns));
         let size = near.abs().max(far.abs()) + middle.middle.abs() + way.abs() + reach;
         Steps::between::<S>(along, near, far, size)
     }
