@@ -8,7 +8,7 @@
 //! |---|---|
 //! | make parts, combine them, cast single rays at them | [`solid`] |
 //! | render pictures, with shading and pixels of your choice | [`render`] |
-//! | cut parts open | [`inspect`] |
+//! | cut parts open, know their volume and moments | [`inspect`] |
 //! | send pictures through a serial line, and receive them | [`stream`] |
 //! | evaluate, edit or bake B-splines | [`spline`] |
 //! | place parts, describe rays | [`geom`] |
