@@ -7,6 +7,7 @@ mod ray;
 mod rays;
 mod vec3;
 
+pub(crate) use columns::signed;
 pub(crate) use direction::Direction;
 
 pub use columns::{Affine, Column, Extent};

@@ -15,7 +15,9 @@ pub enum KnotError {
     Decreasing,
     /// A knot is infinite or NaN.
     NotFinite,
-    /// A knot is there more often than the order, so that a basis function vanishes everywhere.
+    /// A knot is there more often than the order, so that a basis function vanishes everywhere. Knots
+    /// nearer to each other than numbers of their size may be rounded to the same one: in `f32` there is a
+    /// number every 1.2·10⁻⁴ at 1,163.
     Multiplicity,
     /// A knot, or the distance of the first from the last one, is out of the number type's range.
     TooFar,
@@ -26,7 +28,8 @@ crate::error_text!(KnotError {
     TooMany => "more knots than there is room for",
     Decreasing => "the knots are not in ascending order",
     NotFinite => "a knot is infinite or not a number",
-    Multiplicity => "a knot is there more often than the order of the spline",
+    Multiplicity => "more knots than the order of the spline are equal, perhaps because their number type \
+        rounds them to the same number",
     TooFar => "the knots are farther apart than their number type allows",
 });
 
@@ -89,7 +92,7 @@ pub enum InsertError {
     NotFinite,
     /// The knot is outside of the domain.
     Outside,
-    /// The knot is there as often as the order already.
+    /// The knot is there as often as the order already, perhaps because it was rounded to another one.
     Multiplicity,
     /// There is no room for another knot, or for another control point.
     Full,
@@ -98,7 +101,8 @@ pub enum InsertError {
 crate::error_text!(InsertError {
     NotFinite => "the knot is infinite or not a number",
     Outside => "the knot is outside of the domain",
-    Multiplicity => "the knot is there as often as the order already",
+    Multiplicity => "the knot is there as often as the order already, perhaps because its number type \
+        rounds it to another one",
     Full => "there is no room for another knot and control point",
 });
 

@@ -34,15 +34,21 @@ where
     }
 }
 
-impl<P: Point, const K: usize> Format for Flatten<'_, P, K> {
+impl<P: Point, const K: usize> Format for Flatten<'_, P, K>
+where
+    P::Scalar: Format,
+{
     fn format(&self, f: Formatter<'_>) {
-        write!(f, "Flatten, at vertex {} of span {}", self.vertices.next, self.vertices.span);
+        write!(f, "Flatten, at {} in span {}", self.vertices.t, self.vertices.span);
     }
 }
 
-impl<P: Point, const K: usize> Format for Lengths<'_, P, K> {
+impl<P: Point, const K: usize> Format for Lengths<'_, P, K>
+where
+    P::Scalar: Format,
+{
     fn format(&self, f: Formatter<'_>) {
-        write!(f, "Lengths, at vertex {} of span {}", self.vertices.next, self.vertices.span);
+        write!(f, "Lengths, at {} in span {}", self.vertices.t, self.vertices.span);
     }
 }
 

@@ -4,7 +4,7 @@
 //! Seen along parallel rays, a bounded solid lies in a strip of the picture for each of its
 //! measures, and a row cuts a piece out of each strip.
 
-use crate::geom::{Affine, Extent};
+use crate::geom::{Affine, Extent, signed};
 use crate::scalar::{Number, Real, Scalar};
 use crate::scan::Empty;
 
@@ -72,7 +72,7 @@ impl Steps {
     #[inline]
     pub(crate) fn columns(self, columns: u32) -> Extent {
         // The centre of column c is at 2c + 1 − columns.
-        let count = columns as i32;
+        let count = signed(columns);
         let start = (self.first.clamp(-count, count) + count) >> 1;
         let end = (self.last.clamp(-count - 1, count - 1) + count + 1) >> 1;
         if start < end { Extent { start: start as u32, end: end as u32 } } else { Extent::EMPTY }
@@ -81,7 +81,7 @@ impl Steps {
     /// Whether none of so many columns is among them.
     #[inline]
     pub(crate) fn are_beside(self, columns: u32) -> bool {
-        let count = columns as i32;
+        let count = signed(columns);
         self.first.max(-count) > self.last.min(count)
     }
 }

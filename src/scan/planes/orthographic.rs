@@ -1,6 +1,8 @@
 //! Planes along parallel rays: they are crossed at parameters that are affine in the column.
 
 use crate::geom::{Affine, Direction, OrthographicRays, Vec3};
+use crate::geom::{Affine, OrthographicRays, Vec3, signed};
+use crate::quadric::Planes;
 use crate::quadric::{HalfSpace, Planes};
 use crate::scalar::{Number, Real, Scalar};
 use crate::scan::Empty;
@@ -26,7 +28,7 @@ impl<S: Scalar> Planes<S> {
             return OrthographicRow::EdgeOn(view.edge_on(height));
         }
         let [low, high] = [self.low, self.high].map(|offset| (offset.wide() - height) * inverse);
-        if [low, high].iter().all(|at| at.holds_steps(step, columns as i32)) {
+        if [low, high].iter().all(|at| at.holds_steps(step, signed(columns))) {
             let (near, far) = if view.high_first() { (high, low) } else { (low, high) };
             return OrthographicRow::Across(Ends { near, far });
         }
@@ -93,7 +95,7 @@ impl<S: Scalar> Ends<S> {
         let (near, far) = (self.near - reach, self.far + reach);
         // The ends move as well: what counts is how the middle moves along them.
         let along = Affine { step: middle.step - view.step, ..middle };
-        let way = S::Wide::ZERO.after_steps(middle.step, columns as i32);
+        let way = S::Wide::ZERO.after_steps(middle.step, signed(columns));
         let size = near.abs().max(far.abs()) + middle.middle.abs() + way.abs() + reach;
         Steps::between::<S>(along, near, far, size)
     }

@@ -31,6 +31,18 @@ pub(in crate::spline) fn on_span<P: Point, const K: usize>(
     span: usize,
     t: P::Scalar,
 ) -> Option<Inner<P>> {
+    polar::<P, K>(knots, points, span, |_| t)
+}
+
+/// The polar form of a span's polynomial: the triangle with a parameter for each of its levels, 1 to
+/// K − 1. (L. Ramshaw, *Blossoms are polar forms*, Computer Aided Geometric Design 6, 1989.)
+#[inline]
+pub(super) fn polar<P: Point, const K: usize>(
+    knots: &[P::Scalar],
+    points: &[P],
+    span: usize,
+    at: impl Fn(usize) -> P::Scalar,
+) -> Option<Inner<P>> {
     let (points, low, high) = segment::<P, K>(knots, points, span)?;
     let mut blended = points.map(inner);
     for level in 1..K {
@@ -40,7 +52,7 @@ pub(in crate::spline) fn on_span<P: Point, const K: usize>(
             let Some(&b) = blended.get(i + 1) else { break };
             let Some(a) = blended.get_mut(i) else { break };
             let ratio = if K > QUICK { P::Scalar::fine_ratio } else { P::Scalar::ratio };
-            let ratio = ratio(t, low, high);
+            let ratio = ratio(at(level), low, high);
             combine::<P>(a, b, |a, b| P::Scalar::blend(a, b, ratio));
         }
     }

@@ -178,8 +178,14 @@ impl<F: Fraction> SplineScalar for FixedI32<F> {
         held(divide(rise << F::BITS, i128::from(width)))
     }
 
-    fn share(x: i64, [low, high]: [Self; 2], [outer_low, outer_high]: [Self; 2]) -> i64 {
-        Mixed::new(width(low, high), width(outer_low, outer_high)).of(x)
+    fn share(x: i64, part: i64, whole: i64) -> i64 {
+        let product = i128::from(x) * i128::from(part);
+        held(product.checked_div(whole.into()).unwrap_or(0))
+    }
+
+    fn project(vector: &[i64], along: &[i64], length: i64) -> i64 {
+        let products = vector.iter().zip(along).map(|(&x, &y)| i128::from(x) * i128::from(y));
+        held(products.fold(0, i128::saturating_add).checked_div(length.into()).unwrap_or(0))
     }
 
     fn wrap(t: Self, from: Self, to: Self) -> Self {
@@ -199,14 +205,6 @@ impl<F: Fraction> SplineScalar for FixedI32<F> {
             sum.saturating_add(x * x)
         });
         i64::try_from(sum.isqrt()).unwrap_or(i64::MAX)
-    }
-
-    fn segments(norm: i64, factor: u16, tolerance: Self) -> u32 {
-        let numerator = u128::from(norm.unsigned_abs()) * u128::from(factor);
-        let denominator = u128::from(tolerance.to_bits().unsigned_abs()) << (3 + GUARD);
-        let Some(square) = numerator.checked_div(denominator) else { return 1 };
-        // ⌈√x⌉ ≤ ⌊√⌊x⌋⌋ + 1.
-        u32::try_from(square.isqrt() + 1).unwrap_or(u32::MAX)
     }
 
     #[inline]

@@ -115,9 +115,13 @@ pub trait SplineScalar: Scalar {
     #[doc(hidden)]
     fn slope(a: Self::Inner, b: Self::Inner, degree: u16, low: Self, high: Self) -> Self::Inner;
 
-    /// `x·(high − low)/(outer_high − outer_low)`: an interval inside of another one.
+    /// `x·part/whole`, for 0 ≤ part ≤ whole; 0 for a whole of 0.
     #[doc(hidden)]
-    fn share(x: Self::Inner, inside: [Self; 2], outside: [Self; 2]) -> Self::Inner;
+    fn share(x: Self::Inner, part: Self::Inner, whole: Self::Inner) -> Self::Inner;
+
+    /// How far a vector reaches along another one of this length; 0 for a length of 0.
+    #[doc(hidden)]
+    fn project(vector: &[Self::Inner], along: &[Self::Inner], length: Self::Inner) -> Self::Inner;
 
     /// The parameter in `from..to` that differs from t by a multiple of `to − from`.
     #[doc(hidden)]
@@ -130,10 +134,6 @@ pub trait SplineScalar: Scalar {
     /// The length of a vector.
     #[doc(hidden)]
     fn norm(coordinates: &[Self::Inner]) -> Self::Inner;
-
-    /// `√(norm·factor/(8·tolerance))`, rounded upwards, at least 1.
-    #[doc(hidden)]
-    fn segments(norm: Self::Inner, factor: u16, tolerance: Self) -> u32;
 
     /// How many numbers this is behind the one with the key `start`; before it, it is more than any
     /// number behind it is.
