@@ -2,6 +2,7 @@
 
 use super::ball::Ball;
 use super::planes::{PlaneRoots, Planes};
+use super::ring::Ring;
 use super::wall::Wall;
 use super::{fixed, float};
 use crate::geom::Line;
@@ -62,4 +63,9 @@ formula! {
 formula! {
     /// Where a line is between two planes.
     planes(planes: Planes) -> PlaneRoots<S>, BetweenPlanes
+}
+
+formula! {
+    /// Where a line is inside a torus, in order.
+    torus(ring: Ring) -> [Option<Span<S>>; 2], InTorus
 }

@@ -7,6 +7,7 @@
 //! |---|---|---|---|
 //! | cylinder | [`Wall`], cut by [`Planes`] | `float/cylinder.rs`; `aligned.rs`, `oblique.rs` by axis | `fixed/cylinder.rs` |
 //! | ball | [`Ball`] | `float/ball.rs` | `fixed/ball.rs` |
+//! | torus | [`Ring`] | `quartic.rs`, in `f64` | the same |
 //! | two parallel planes | [`Planes`] | `float/planes.rs` | `fixed/planes.rs` |
 //!
 //! Floating point computes in twice the working precision what would cancel. Fixed point computes in
@@ -17,8 +18,11 @@ mod fixed;
 mod float;
 pub(crate) mod meet;
 mod planes;
+mod quartic;
+mod ring;
 mod wall;
 
 pub(crate) use ball::Ball;
 pub(crate) use planes::{PlaneRoots, Planes};
+pub(crate) use ring::{Ring, regular};
 pub(crate) use wall::{WALL, Wall};

@@ -21,7 +21,7 @@
 //!
 //! | to | use |
 //! |---|---|
-//! | make a part | [`Cylinder`], [`Sphere`], [`Slab`], [`Pipe`] |
+//! | make a part | [`Cylinder`], [`Sphere`], [`Slab`], [`Torus`], [`Pipe`] |
 //! | combine parts | `a \| b`, `a & b`, `a - b`; arrays and [`Many`] for unions of one kind |
 //! | colour, move or turn a part | [`Painted`], [`Placed`] |
 //! | ask where a single ray meets it | [`RayCast`] |
@@ -43,7 +43,8 @@ pub use combine::{Boolean, Difference, Intersection, Many, ManyError, Union};
 pub use describe::{Rgb, Solid};
 pub use pipe::{Pipe, PipeError};
 pub use primitive::{
-    Cylinder, CylinderError, CylinderWall, Slab, SlabError, Sphere, SphereError, WallHit,
+    Cylinder, CylinderError, CylinderWall, Slab, SlabError, Sphere, SphereError, Torus, TorusError,
+    WallHit,
 };
 pub use query::{Hit, RayCast, Seen, first_seen};
 pub use wrap::{ByLine, Painted, Placed, Wrap};

@@ -2,7 +2,7 @@
 
 use super::{
     Boolean, ByLine, Cylinder, Difference, Intersection, Many, Painted, Pipe, Placed, Slab, Sphere,
-    Union,
+    Torus, Union,
 };
 use crate::scalar::Scalar;
 use crate::span::Shape;
@@ -37,6 +37,7 @@ operators! {
     [S: Scalar] Cylinder<S>,
     [S: Scalar] Slab<S>,
     [S: Scalar] Sphere<S>,
+    [S: Scalar] Torus<S>,
     [S: Scalar, const SEGMENTS: usize] Pipe<S, SEGMENTS>,
     [T, const N: usize] ByLine<T, N>,
     [T, const N: usize] Many<T, N>,

@@ -15,7 +15,9 @@ mod cylinder;
 mod lines;
 mod planes;
 mod quadratic;
+mod torus;
 
 pub(super) use ball::ball;
 pub(super) use cylinder::{cylinder, open_cylinder};
 pub(super) use planes::planes;
+pub(super) use torus::torus;

@@ -17,9 +17,11 @@ mod doubles;
 mod oblique;
 mod planes;
 mod sums;
+mod torus;
 #[cfg(test)]
 mod units;
 
 pub(super) use ball::ball;
 pub(super) use cylinder::{cylinder, open_cylinder};
 pub(super) use planes::planes;
+pub(super) use torus::torus;

@@ -3,7 +3,9 @@
 mod cylinder;
 mod slab;
 mod sphere;
+mod torus;
 
 pub use cylinder::{Cylinder, CylinderError, CylinderWall, WallHit};
 pub use slab::{Slab, SlabError};
 pub use sphere::{Sphere, SphereError};
+pub use torus::{Torus, TorusError};
