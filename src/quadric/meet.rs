@@ -2,6 +2,7 @@
 
 use super::ball::Ball;
 use super::planes::{PlaneRoots, Planes};
+use super::quartic::ReadyTorus;
 use super::ring::Ring;
 use super::wall::Wall;
 use super::{fixed, float};
@@ -67,5 +68,30 @@ formula! {
 
 formula! {
     /// Where a line is inside a torus, in order.
-    torus(ring: Ring) -> [Option<Span<S>>; 2], InTorus
+    torus(torus: ReadyTorus) -> [Option<Span<S>>; 2], InTorus
+}
+
+struct ToDoubles<'a, S: Scalar>(&'a Ring<S>);
+
+impl<S: Scalar> Formula<S> for ToDoubles<'_, S> {
+    type Output = ReadyTorus<S>;
+
+    fn float(self) -> ReadyTorus<S>
+    where
+        S: Float,
+    {
+        float::ready_torus(self.0)
+    }
+
+    fn fixed(self) -> ReadyTorus<S>
+    where
+        S: FixedPoint,
+    {
+        fixed::ready_torus(self.0)
+    }
+}
+
+/// A torus in `f64`, ready for any number of lines.
+pub(crate) fn ready_torus<S: Scalar>(ring: &Ring<S>) -> ReadyTorus<S> {
+    S::compute(ToDoubles(ring))
 }

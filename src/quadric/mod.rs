@@ -24,5 +24,6 @@ mod wall;
 
 pub(crate) use ball::Ball;
 pub(crate) use planes::{PlaneRoots, Planes};
+pub(crate) use quartic::ReadyTorus;
 pub(crate) use ring::{Ring, regular};
 pub(crate) use wall::{WALL, Wall};

@@ -15,24 +15,26 @@
 
 use crate::numeric::Native;
 use crate::scalar::{Double, Real, two_sum};
+use core::marker::PhantomData;
 
 /// Steps to a root at most. Newton's and Halley's take three to six, but where roots coincide.
 const STEPS: u32 = 48;
 
 type Vector = [f64; 3];
 
-fn dot<const N: usize>(x: [f64; N], y: [f64; N]) -> f64 {
-    x.into_iter().zip(y).fold(0.0, |sum, (x, y)| sum + x * y)
+fn dot([x0, x1, x2]: Vector, [y0, y1, y2]: Vector) -> f64 {
+    x0 * y0 + x1 * y1 + x2 * y2
 }
 
-/// A torus, in `f64`.
+/// A torus in `f64`, for lines in numbers of type `S`.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Torus {
+pub(crate) struct ReadyTorus<S> {
     center: Vector,
     /// The axis, and two directions across it.
     frame: [Vector; 3],
     ring: f64,
     tube: f64,
+    of: PhantomData<S>,
 }
 
 /// A value of g, with half of its derivatives.
@@ -44,8 +46,8 @@ struct Value {
 }
 
 /// A line as a torus sees it: counted by its length, from its point nearest to the centre.
-struct Path<'a> {
-    torus: &'a Torus,
+struct Path<'a, S> {
+    torus: &'a ReadyTorus<S>,
     /// The point's coordinates, in the order of the torus's frame, and the direction's.
     p: Vector,
     d: Vector,
@@ -54,7 +56,7 @@ struct Path<'a> {
     b: f64,
 }
 
-impl Torus {
+impl<S> ReadyTorus<S> {
     /// The basis around the axis is that of Duff et al., *Building an Orthonormal Basis, Revisited*
     /// (2017). Along coordinate axes it is exact.
     pub(super) fn new(center: Vector, axis: Vector, ring: f64, tube: f64) -> Self {
@@ -65,55 +67,71 @@ impl Torus {
         let b = x * y * a;
         let first = [1.0 + sign * x * x * a, sign * b, -sign * x];
         let second = [b, sign + y * y * a, -y];
-        Self { center, frame: [[x, y, z], first, second], ring, tube }
+        Self { center, frame: [[x, y, z], first, second], ring, tube, of: PhantomData }
     }
 
     /// The parts of a line inside, in order.
     pub(super) fn chords(&self, origin: Vector, direction: Vector) -> [Option<[f64; 2]>; 2] {
-        let square = dot(direction, direction);
-        let (near, t) = self.foot(origin, direction, square);
-        let rest = -dot(near, direction) / square;
-        let near = [0, 1, 2].map(|i| near[i] + rest * direction[i]);
-        let size_squared = dot(near, near);
         let reach = self.ring + self.tube;
+        let square = dot(direction, direction);
+        let from_center = [0, 1, 2].map(|i| origin[i] - self.center[i]);
+        let is_far = dot(from_center, from_center) > 65_536.0 * reach * reach;
+        let (near, t) = if is_far {
+            self.foot_from_afar(origin, direction, square)
+        } else {
+            foot(from_center, direction, square)
+        };
+        let distance_squared = dot(near, near);
         // Not for NaN either.
-        let Some(half) = (reach * reach - size_squared).root().positive() else { return [None; 2] };
+        let Some(half_squared) = (reach * reach - distance_squared).positive() else {
+            return [None; 2];
+        };
+        let half = half_squared.root();
         let per_length = 1.0 / square.root();
         let p = self.frame.map(|side| dot(side, near));
         let d = self.frame.map(|side| dot(side, direction) * per_length);
         let ([z, x, y], [dz, dx, dy]) = (p, d);
         // Between the planes that touch the tube: infinity or NaN for lines along them.
         let planes = [-self.tube - z, self.tube - z].map(|height| height / dz);
-        let ends = [planes[0].min(planes[1]).max(-half), planes[0].max(planes[1]).min(half)];
+        let low = planes[0].min(planes[1]).max(-half);
+        let high = planes[0].max(planes[1]).min(half);
+        let (across_squared, slope) = (dx * dx + dy * dy, x * dx + y * dy);
+        let rho_squared = |s: f64| x * x + y * y + s * (slope + slope + s * across_squared);
+        let hole = self.ring - self.tube;
+        if low >= high || rho_squared(low).max(rho_squared(high)) < hole * hole {
+            return [None; 2];
+        }
         let ring_squared = self.ring * self.ring;
-        let across = dx * dx + dy * dy;
-        let path = Path {
-            torus: self,
-            p,
-            d,
-            a: size_squared + (self.ring - self.tube) * reach - 2.0 * ring_squared * across,
-            b: -2.0 * ring_squared * (x * dx + y * dy),
-        };
-        let t = |s: f64| t + (rest + s * per_length);
-        path.chords(ends).map(|chord| chord.map(|ends| ends.map(t)))
+        let a = distance_squared + hole * reach - 2.0 * ring_squared * across_squared;
+        let b = -2.0 * ring_squared * slope;
+        let path = Path { torus: self, p, d, a, b };
+        path.chords([low, high]).map(|chord| chord.map(|ends| ends.map(|s| t + s * per_length)))
     }
 
-    /// The line's point nearest to the centre, as seen from there, and its parameter: about that point,
-    /// but exactly on the line.
-    fn foot(&self, origin: Vector, direction: Vector, square: f64) -> (Vector, f64) {
+    /// The same as [`foot`] for a line from afar: the differences' and products' errors are kept.
+    #[cold]
+    fn foot_from_afar(&self, origin: Vector, direction: Vector, square: f64) -> (Vector, f64) {
         let differences = [0, 1, 2].map(|i| two_sum(origin[i], -self.center[i]));
-        let t = -dot(differences.map(|(high, _)| high), direction) / square;
-        let foot = [0, 1, 2].map(|i| {
+        let (_, t) = foot(differences.map(|(high, _)| high), direction, square);
+        let near = [0, 1, 2].map(|i| {
             let (high, low) = differences[i];
             let way = Double::product(t, direction[i]);
             let (sum, lost) = two_sum(high, way.high);
             sum + (lost + (low + way.low))
         });
-        (foot, t)
+        // Of the distance's last digits, the rest is as far from the foot as the distance was.
+        let (near, rest) = foot(near, direction, square);
+        (near, t + rest)
     }
 }
 
-impl Path<'_> {
+/// The line's point nearest to the centre, as seen from there, and its parameter.
+fn foot(from_center: Vector, direction: Vector, square: f64) -> (Vector, f64) {
+    let t = -dot(from_center, direction) / square;
+    ([0, 1, 2].map(|i| from_center[i] + t * direction[i]), t)
+}
+
+impl<S> Path<'_, S> {
     fn value(&self, s: f64) -> Value {
         let [z, x, y] = [0, 1, 2].map(|i| self.p[i] + s * self.d[i]);
         let [dz, dx, dy] = self.d;
@@ -163,7 +181,7 @@ impl Path<'_> {
             return None;
         }
         // The next step's error is about the square of this one, and that of g its square again.
-        let close = self.torus.tube * (1.0 / (1u64 << 27) as f64);
+        let close = self.torus.tube * (1.0 / 16_384.0);
         let mut s = end;
         for _ in 0..STEPS {
             let Some(step) = (value(s) / (3.0 * s * s + a)).positive() else { break };
@@ -198,14 +216,32 @@ impl Path<'_> {
     /// The root of g between a lowest point of F inside, and a point that isn't inside.
     fn crossing(&self, (inside, value): &(f64, Value), outside: f64) -> f64 {
         let (inside, g) = (*inside, value.g);
-        // F = F(inside) + ½F''·s² + …
+        // F = δ⁴ + skew·δ³ + bend·δ² + slope·δ − depth, for s = inside + δ: by Newton's steps.
         let depth = -g * (g + 4.0 * self.torus.ring * value.rho);
-        let way = (depth / (2.0 * (3.0 * inside * inside + self.a))).root();
+        let slope = 4.0 * ((inside * inside + self.a) * inside + self.b);
+        let (skew, bend) = (4.0 * inside, 2.0 * (3.0 * inside * inside + self.a));
+        let mut way = (depth / bend).root().copysign(outside - inside);
+        let mut is_near = false;
+        for _ in 0..8 {
+            let value = (((way + skew) * way + bend) * way + slope) * way - depth;
+            let ascent = ((4.0 * way + 3.0 * skew) * way + 2.0 * bend) * way + slope;
+            let step = value / ascent;
+            way -= step;
+            // Newton's step leaves about the square of this one.
+            is_near = step.abs() <= way.abs() * (1.0 / (1u64 << 27) as f64);
+            if is_near {
+                break;
+            }
+        }
         let [mut near, mut far] = [inside, outside];
-        let mut s = if outside < inside { inside - way } else { inside + way };
+        let mut s = inside + way;
+        let is_between =
+            |near: f64, far: f64, s: f64| (near < s && s < far) || (far < s && s < near);
+        if is_near && size_of::<S>() < size_of::<f64>() && is_between(near, far, s) {
+            return s;
+        }
         for _ in 0..STEPS {
-            let is_between = (near < s && s < far) || (far < s && s < near);
-            if !is_between {
+            if !is_between(near, far, s) {
                 s = 0.5 * (near + far);
             }
             let Value { g, half_slope, half_bend, .. } = self.value(s);

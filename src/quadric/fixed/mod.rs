@@ -20,4 +20,4 @@ mod torus;
 pub(super) use ball::ball;
 pub(super) use cylinder::{cylinder, open_cylinder};
 pub(super) use planes::planes;
-pub(super) use torus::torus;
+pub(super) use torus::{ready_torus, torus};

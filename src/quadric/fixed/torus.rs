@@ -2,7 +2,7 @@
 
 use super::lines::{bits, unit_bits};
 use crate::geom::Line;
-use crate::quadric::quartic::Torus;
+use crate::quadric::quartic::ReadyTorus;
 use crate::quadric::{Ring, regular};
 use crate::scalar::{Double, FixedPoint, integer};
 use crate::span::Span;
@@ -19,15 +19,20 @@ fn rounded<S: FixedPoint>(ends: [f64; 2]) -> [S; 2] {
     [first, last].map(|t| S::from_bits(integer::narrow(t)))
 }
 
+fn exact(v: [i64; 3]) -> [f64; 3] {
+    v.map(|coordinate| coordinate as f64)
+}
+
+pub(in crate::quadric) fn ready_torus<S: FixedPoint>(ring: &Ring<S>) -> ReadyTorus<S> {
+    let axis = unit_bits::<S>(ring.axis.vector());
+    let [radius, tube] = [ring.radius, ring.tube].map(|length| f64::from(length.to_bits()));
+    ReadyTorus::new(exact(bits(ring.center)), exact(axis), radius, tube)
+}
+
 pub(in crate::quadric) fn torus<S: FixedPoint>(
-    ring: &Ring<S>,
+    torus: &ReadyTorus<S>,
     line: &Line<S>,
 ) -> [Option<Span<S>>; 2] {
-    let exact = |v: [i64; 3]| v.map(|coordinate| coordinate as f64);
-    let [center, origin, direction] =
-        [ring.center, line.origin, line.direction].map(|v| exact(bits(v)));
-    let axis = exact(unit_bits::<S>(ring.axis.vector()));
-    let [radius, tube] = [ring.radius, ring.tube].map(|length| f64::from(length.to_bits()));
-    let torus = Torus::new(center, axis, radius, tube);
+    let [origin, direction] = [line.origin, line.direction].map(|v| exact(bits(v)));
     regular(torus.chords(origin, direction).map(|chord| chord.map(rounded)))
 }

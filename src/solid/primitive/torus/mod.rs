@@ -1,14 +1,15 @@
 //! The torus: a ring of round section.
 
-mod scan;
+mod orthographic;
+mod perspective;
 
-use crate::geom::{Axis, Direction, Line, Vec3};
-use crate::quadric::{Ring, meet};
+use crate::geom::{Axis, Direction, Line, RayRow, Vec3};
+use crate::quadric::{ReadyTorus, Ring, meet};
 use crate::scalar::{ConstOps, Scalar, per_scalar};
 use crate::scan::bounds::Bounds;
 use crate::scan::leaf;
 use crate::solid::Solid;
-use crate::span::{Face, Shape, SpanStack};
+use crate::span::{Face, Shape, Span, SpanStack};
 
 /// A solid torus: all points within the tube's radius r of a circle, the ring, of radius R > r. Take it
 /// for O-rings, grooves and rounded edges.
@@ -195,7 +196,7 @@ impl<S: Scalar> Shape for Torus<S> {
 
 impl<S: Scalar> Solid for Torus<S> {
     fn spans(&self, line: &Line<S>, first: Face, stack: &mut SpanStack<'_, S>) {
-        for span in meet::torus(&self.ring, line).into_iter().flatten() {
+        for span in meet::torus(&self.ready(), line).into_iter().flatten() {
             stack.put(span.with_faces_from(first));
         }
     }
@@ -212,4 +213,21 @@ impl<S: Scalar> Solid for Torus<S> {
     fn normal(&self, _: Face, at: Vec3<S>) -> Vec3<S> {
         self.ring.normal(at)
     }
+}
+
+impl<S: Scalar> Torus<S> {
+    fn ready(&self) -> ReadyTorus<S> {
+        meet::ready_torus(&self.ring)
+    }
+}
+
+/// The spans of a pixel's line.
+#[inline]
+fn spans<S: Scalar>(
+    torus: Option<&ReadyTorus<S>>,
+    row: Option<&impl RayRow<Scalar = S>>,
+    x: i32,
+) -> [Span<S>; 2] {
+    let found = torus.zip(row).map(|(torus, row)| meet::torus(torus, &row.line(x)));
+    found.unwrap_or_default().map(|span| span.unwrap_or(Span::NOWHERE))
 }
