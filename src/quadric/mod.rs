@@ -8,6 +8,7 @@
 //! | cylinder | [`Wall`], cut by [`Planes`] | `float/cylinder.rs`; `aligned.rs`, `oblique.rs` by axis | `fixed/cylinder.rs` |
 //! | cone | [`Taper`], cut by [`Planes`]; [`Conic`] in pictures | `float/cone.rs` | `fixed/cone.rs` |
 //! | ball | [`Ball`] | `float/ball.rs` | `fixed/ball.rs` |
+//! | torus | [`Ring`] | `quartic.rs`, in `f64` | the same |
 //! | two parallel planes | [`Planes`] | `float/planes.rs` | `fixed/planes.rs` |
 //! | box | [`Corners`] | `float/planes.rs` | `fixed/planes.rs` |
 //! | half-spaces | slices of [`HalfSpace`] | `float/planes.rs` | `fixed/planes.rs` |
@@ -23,6 +24,8 @@ mod half_space;
 pub(crate) mod meet;
 mod planes;
 mod taper;
+mod quartic;
+mod ring;
 mod wall;
 
 pub(crate) use ball::Ball;
@@ -30,4 +33,6 @@ pub(crate) use corners::Corners;
 pub use half_space::HalfSpace;
 pub(crate) use planes::{PlaneRoots, Planes};
 pub(crate) use taper::{Conic, Taper};
+pub(crate) use quartic::ReadyTorus;
+pub(crate) use ring::{Ring, regular};
 pub(crate) use wall::{WALL, Wall};

@@ -22,6 +22,7 @@
 //! | to | use |
 //! |---|---|
 //! | make a part | [`Cylinder`], [`Cone`], [`Sphere`], [`Slab`], [`Pipe`] |
+//! | make a part | [`Cylinder`], [`Sphere`], [`Slab`], [`Torus`], [`Pipe`] |
 //! | combine parts | `a \| b`, `a & b`, `a - b`; arrays and [`Many`] for unions of one kind |
 //! | colour, move or turn a part | [`Painted`], [`Placed`] |
 //! | ask where a single ray meets it | [`RayCast`] |
@@ -46,8 +47,7 @@ pub use compound::{Capsule, RoundedCuboid};
 pub use describe::{Rgb, Solid};
 pub use pipe::{Pipe, PipeError};
 pub use primitive::{
-    Cone, ConeError, Cuboid, CuboidError, Cylinder, CylinderError, CylinderWall, HalfSpaceError,
-    Polyhedron, PolyhedronError, Slab, SlabError, Sphere, SphereError, WallHit,
+    Cone, ConeError, Cuboid, CuboidError, Cylinder, CylinderError, CylinderWall, HalfSpaceError, Polyhedron, PolyhedronError, Slab, SlabError, Sphere, SphereError, Torus, TorusError, WallHit,
 };
 pub use query::{Hit, RayCast, Seen, first_seen};
 pub use wrap::{ByLine, Painted, Placed, Wrap};

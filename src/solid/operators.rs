@@ -1,8 +1,7 @@
 //! The operators `|`, `&` and `-`, of every solid with any other.
 
 use super::{
-    Boolean, ByLine, Cone, Cuboid, Cylinder, Difference, HalfSpace, Intersection, Many, Painted,
-    Pipe, Placed, Polyhedron, Slab, Sphere, Union,
+    Boolean, ByLine, Cone, Cuboid, Cylinder, Difference, HalfSpace, Intersection, Many, Painted, Pipe, Placed, Polyhedron, Slab, Sphere, Torus, Union,
 };
 use crate::scalar::Scalar;
 use crate::span::Shape;
@@ -41,6 +40,7 @@ operators! {
     [S: Scalar, const N: usize, F] Polyhedron<S, N, F>,
     [S: Scalar] Slab<S>,
     [S: Scalar] Sphere<S>,
+    [S: Scalar] Torus<S>,
     [S: Scalar, const SEGMENTS: usize] Pipe<S, SEGMENTS>,
     [T, const N: usize] ByLine<T, N>,
     [T, const N: usize] Many<T, N>,

@@ -11,6 +11,7 @@ pub mod cylinder_table;
 pub mod limits;
 pub mod number;
 pub mod oracle;
+pub mod quartic;
 pub mod query;
 pub mod random;
 pub mod surd;

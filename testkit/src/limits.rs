@@ -66,6 +66,11 @@ pub const CYLINDER_F32: f64 = 4.0;
 /// The same as a multiple of the bound by rounding errors, in `f32` and `f64`.
 pub const CYLINDER_BOUND: f64 = 2.0;
 
+/// Parameters of lines at a torus: 99th percentile and maximum.
+pub const TORUS_F32: [f64; 2] = [16.0, 16.0];
+pub const TORUS_F64: [f64; 2] = [16.0, 16.0];
+pub const TORUS_FIXED: [f64; 2] = [4.0, 4.0];
+
 /// The benchmark's sets of rays in `f32`: 99th percentile and maximum of an entry and of an exit in
 /// ulps.
 pub const SHARP_P99: f64 = 2.0;

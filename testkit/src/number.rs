@@ -4,9 +4,9 @@
 use crate::limits;
 use fixed::types::{I8F24, I20F12, I24F8};
 use scancsg::geom::{Pose, PoseError, Ray, Vec3, vec3};
-use scancsg::scalar::{I16F16, Scalar};
+use scancsg::scalar::{FixedPoint, I16F16, Scalar};
 use scancsg::solid::{
-    Cone, ConeError, Cylinder, CylinderError, RayCast, Slab, SlabError, Solid, Sphere, SphereError,
+    Cone, ConeError, Cylinder, CylinderError, RayCast, Slab, SlabError, Solid, Sphere, SphereError, Torus, TorusError,
 };
 use scancsg::span::SpanList;
 
@@ -86,7 +86,23 @@ pub trait Tested: Scalar {
 
     fn sphere(center: Vec3<Self>, radius: Self) -> Result<Sphere<Self>, SphereError>;
 
+    /// A torus with its axis along coordinate axis 0, 1 or 2; `radii` are those of ring and tube.
+    fn torus_along(
+        axis: usize,
+        center: Vec3<Self>,
+        radii: [Self; 2],
+    ) -> Result<Torus<Self>, TorusError>;
+
+    fn torus(
+        center: Vec3<Self>,
+        axis: Vec3<Self>,
+        radii: [Self; 2],
+    ) -> Result<Torus<Self>, TorusError>;
+
     fn translation(by: Vec3<Self>) -> Result<Pose<Self>, PoseError>;
+
+    /// A direction as solids hold it, exactly.
+    fn rounded_axis(axis: Vec3<Self>) -> [f64; 3];
 }
 
 /// The constructors of a type, for the inside of `impl Tested`.
@@ -152,6 +168,26 @@ macro_rules! constructors {
             Sphere::<$S>::new(center, radius)
         }
 
+        fn torus_along(
+            axis: usize,
+            center: Vec3<Self>,
+            [ring, tube]: [Self; 2],
+        ) -> Result<Torus<Self>, TorusError> {
+            match axis {
+                0 => Torus::<$S>::along_x(center, ring, tube),
+                1 => Torus::<$S>::along_y(center, ring, tube),
+                _ => Torus::<$S>::along_z(center, ring, tube),
+            }
+        }
+
+        fn torus(
+            center: Vec3<Self>,
+            axis: Vec3<Self>,
+            [ring, tube]: [Self; 2],
+        ) -> Result<Torus<Self>, TorusError> {
+            Torus::<$S>::new(center, axis, ring, tube)
+        }
+
         fn translation(by: Vec3<Self>) -> Result<Pose<Self>, PoseError> {
             Pose::<$S>::translation(by)
         }
@@ -175,6 +211,10 @@ macro_rules! float {
 
             fn down(self) -> Self {
                 self.next_down()
+            }
+
+            fn rounded_axis(axis: Vec3<Self>) -> [f64; 3] {
+                Self::normalized(axis.to_array()).unwrap().map(f64::from)
             }
 
             constructors!($S);
@@ -203,6 +243,11 @@ macro_rules! fixed {
 
             fn down(self) -> Self {
                 Self::from_bits(self.to_bits() - 1)
+            }
+
+            fn rounded_axis(axis: Vec3<Self>) -> [f64; 3] {
+                let units = Self::normalized(axis.to_array()).unwrap();
+                units.map(|unit| f64::from(Self::unit_bits(unit)) / f64::from(1 << 28))
             }
 
             constructors!($S);

@@ -6,6 +6,7 @@ mod cylinder;
 mod polyhedron;
 mod slab;
 mod sphere;
+mod torus;
 
 pub use cone::{Cone, ConeError};
 pub use cuboid::{Cuboid, CuboidError};
@@ -13,3 +14,4 @@ pub use cylinder::{Cylinder, CylinderError, CylinderWall, WallHit};
 pub use polyhedron::{HalfSpaceError, Polyhedron, PolyhedronError};
 pub use slab::{Slab, SlabError};
 pub use sphere::{Sphere, SphereError};
+pub use torus::{Torus, TorusError};
