@@ -244,6 +244,29 @@ impl<S: Scalar> Pose<S> {
     }
 }
 
+impl<S: Scalar> Pose<S> {
+    /// As [`line_back`](Self::line_back), with its parameter counted from about the point nearest to `near`,
+    /// a point of the own frame; and the parameter there.
+    ///
+    /// So what rounding a direction in fixed point loses doesn't grow with the way from the line's start.
+    /// Floating point, and directions that stay exact, need none of this.
+    #[inline]
+    pub(crate) fn line_back_near(
+        &self,
+        line: &Line<S>,
+        near: impl FnOnce() -> Vec3<S>,
+    ) -> (Line<S>, S) {
+        let exact = self.turned_back(line.direction.wide());
+        let direction = exact.map(S::from_wide);
+        if S::SHORTEST <= S::ZERO || direction.wide() == exact {
+            return (Line { origin: self.point_back(line.origin), direction }, S::ZERO);
+        }
+        let from = line.parameter_near(self.point(near()));
+        let start = line.origin.wide() + line.direction.wide() * from.wide();
+        (Line { origin: self.point_back_wide(start).map(S::from_wide), direction }, from)
+    }
+}
+
 /// The frame itself where it is orthonormal, else one much nearer to that: deviations become as large as
 /// their squares. It is a step of Newton's method for the polar decomposition,
 /// `M − M (MᵀM − 1)/2` (Higham, *Computing the polar decomposition*, SIAM J. Sci. Stat. Comput. 7, 1986).

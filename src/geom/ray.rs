@@ -1,7 +1,7 @@
 //! A line with a parameter, and the ray that a caller asks about.
 
 use super::vec3::Vec3;
-use crate::scalar::{Rebased, Scalar};
+use crate::scalar::{Real, Rebased, Scalar};
 
 /// A line `p(t) = origin + t · direction`, t from −∞ to +∞: what a solid is asked about.
 ///
@@ -21,6 +21,14 @@ impl<S: Scalar> Line<S> {
     #[must_use]
     pub fn at(&self, t: S) -> Vec3<S> {
         self.origin + self.direction * t
+    }
+
+    /// About the parameter of the point nearest to another one: for choosing where to count from.
+    pub(crate) fn parameter_near(&self, point: Vec3<S>) -> S {
+        let power = self.direction.wide().max_abs().normalizing_power();
+        let direction = self.direction.wide() * power;
+        let along = (point.wide() - self.origin.wide()).dot(direction);
+        S::from_wide(along / direction.length_squared() * power)
     }
 }
 

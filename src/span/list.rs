@@ -1,6 +1,7 @@
 //! The memory of the span merge: a fixed array, and the stack that solids push to.
 
 use super::span::Span;
+use crate::scalar::Scalar;
 use heapless::{Vec, VecView};
 
 /// Room for the spans of a line with a solid, and for merging them.
@@ -133,6 +134,24 @@ impl<S> SpanStack<'_, S> {
             }
         }
         self.spans.truncate(kept);
+    }
+
+    /// Adds to the parameters of the spans from `start` on. Ends that are no surface stay.
+    pub(crate) fn shift(&mut self, start: usize, by: S)
+    where
+        S: Scalar,
+    {
+        if by == S::ZERO {
+            return;
+        }
+        for span in self.spans.iter_mut().skip(start) {
+            for t in [&mut span.enter.t, &mut span.exit.t] {
+                if *t > S::LOWEST && *t < S::HIGHEST {
+                    *t = t.plus(by);
+                }
+            }
+        }
+        self.keep_ordered(start);
     }
 
     /// Whether there is no span at all.

@@ -1,6 +1,7 @@
 //! Solids around other solids: colour, place, and solids of your own.
 
 mod by_line;
+mod nearby;
 mod painted;
 mod placed;
 mod wrapping;

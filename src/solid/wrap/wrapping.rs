@@ -1,5 +1,6 @@
 //! Solids that are another solid inside, written once.
 
+use super::nearby::anchor;
 use crate::geom::{Line, Pose, Rays, Vec3};
 use crate::scan::bounds::Bounds;
 use crate::scan::{ColumnRun, Scan};
@@ -79,7 +80,12 @@ impl<W: Wrap<Inner: Solid>> Solid for W {
         stack: &mut SpanStack<'_, Self::Scalar>,
     ) {
         match self.pose() {
-            Some(pose) => self.inner().spans(&pose.line_back(line), first, stack),
+            Some(pose) => {
+                let (line, from) = pose.line_back_near(line, || anchor(&self.inner().bounds()));
+                let start = stack.len();
+                self.inner().spans(&line, first, stack);
+                stack.shift(start, from);
+            }
             None => self.inner().spans(line, first, stack),
         }
     }
