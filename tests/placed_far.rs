@@ -1,7 +1,7 @@
 //! Rays in fixed point from far away at small solids that are placed: a direction is rounded in the solid's
 //! frame, and what that loses must not grow with the way.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::panic)]
 
 use scancsg::geom::{Line, Pose, Vec3};
 use scancsg::scalar::I16F16;

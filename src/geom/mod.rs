@@ -1,5 +1,6 @@
 //! Vectors, rays, rigid motions, and the rays of a picture as functions of the pixel.
 
+mod axis_line;
 mod columns;
 mod direction;
 mod pose;
@@ -9,6 +10,7 @@ mod vec3;
 
 pub(crate) use direction::Direction;
 
+pub use axis_line::{AxisLine, AxisLineError};
 pub use columns::{Affine, Column, Extent};
 pub use direction::Axis;
 pub use pose::{Pose, PoseError};
