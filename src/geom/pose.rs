@@ -224,6 +224,10 @@ impl<S: Scalar> Pose<S> {
         self.turned_back(scene.wide()).map(S::from_wide)
     }
 
+    pub(super) fn axes_and_translation(&self) -> ([Vec3<S::Wide>; 3], Vec3<S>) {
+        (self.axes.map(|axis| axis.map(S::wide_unit)), self.translation)
+    }
+
     pub(super) fn point_back_wide(&self, scene: Vec3<S::Wide>) -> Vec3<S::Wide> {
         self.turned_back(scene - self.translation.wide())
     }

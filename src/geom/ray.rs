@@ -25,11 +25,16 @@ impl<S: Scalar> Line<S> {
 
     /// About the parameter of the point nearest to another one: for choosing where to count from.
     pub(crate) fn parameter_near(&self, point: Vec3<S>) -> S {
-        let power = self.direction.wide().max_abs().normalizing_power();
-        let direction = self.direction.wide() * power;
-        let along = (point.wide() - self.origin.wide()).dot(direction);
-        S::from_wide(along / direction.length_squared() * power)
+        S::from_wide(nearest(point.wide() - self.origin.wide(), self.direction.wide()))
     }
+}
+
+/// How many times a direction takes one to the end of a way, or as near to there as it comes.
+pub(super) fn nearest<T: Real>(way: Vec3<T>, direction: Vec3<T>) -> T {
+    // Of a length that neither overflows nor loses digits.
+    let power = direction.max_abs().normalizing_power();
+    let direction = direction * power;
+    way.dot(direction) / direction.length_squared() * power
 }
 
 /// Why a ray can't be used.

@@ -11,6 +11,7 @@
 mod const_ops;
 mod fixed;
 mod float;
+mod matrix;
 mod number;
 mod per_scalar;
 mod rebase;
@@ -25,6 +26,7 @@ pub use scalar::{FixedPoint, Formula, Roots, Scalar};
 pub(crate) use crate::numeric::{Double, integer, two_sum};
 pub(crate) use const_ops::ConstOps;
 pub(crate) use fixed::Fraction;
+pub(crate) use matrix::{Inverse, Matrix};
 pub(crate) use per_scalar::per_scalar;
 pub(crate) use rebase::Rebased;
 pub(crate) use scalar::Stretch;

@@ -1,5 +1,6 @@
 //! What a number type of scenes can do.
 
+use super::matrix::{Inverse, Matrix};
 use super::number::{Number, Real};
 use super::rebase::Rebased;
 use crate::numeric::{Native, add_product};
@@ -81,6 +82,10 @@ pub trait Scalar: Number {
     /// The direction from one point to another, and where along it they lie; `None` if they coincide.
     #[doc(hidden)]
     fn stretch(from: [Self; 3], to: [Self; 3]) -> Option<Stretch<Self>>;
+
+    /// The inverse of a matrix; `None` if there is none, or if it or the matrix has too large an entry.
+    #[doc(hidden)]
+    fn inverted(matrix: Matrix<Self::Wide>) -> Option<Inverse<Self::Wide>>;
 
     /// How far off a length in a pixel may be that is a sum of up to six lengths, `size` together,
     /// or of two of these, one of them times the column.

@@ -1,8 +1,8 @@
 //! The operators `|`, `&` and `-`, of every solid with any other.
 
 use super::{
-    Boolean, ByLine, Cylinder, Difference, Intersection, Many, Painted, Pipe, Placed, Slab, Sphere,
-    Union,
+    Boolean, ByLine, Cylinder, Difference, Intersection, Many, Painted, Pipe, Placed, Scaled, Slab,
+    Sphere, Union,
 };
 use crate::scalar::Scalar;
 use crate::span::Shape;
@@ -42,5 +42,6 @@ operators! {
     [T, const N: usize] Many<T, N>,
     [T] Painted<T>,
     [T: Shape] Placed<T>,
+    [T: Shape] Scaled<T>,
     [O, L, R] Boolean<O, L, R>,
 }

@@ -136,19 +136,16 @@ impl<S> SpanStack<'_, S> {
         self.spans.truncate(kept);
     }
 
-    /// Adds to the parameters of the spans from `start` on. Ends that are no surface stay.
-    pub(crate) fn shift(&mut self, start: usize, by: S)
+    /// Takes the parameters of the spans from `start` on to those of another line that is the same but for
+    /// where it is counted from, and how fast. A span whose ends round to one number keeps a length.
+    pub(crate) fn recount(&mut self, start: usize, of: impl Fn(S) -> S)
     where
         S: Scalar,
     {
-        if by == S::ZERO {
-            return;
-        }
-        for span in self.spans.iter_mut().skip(start) {
-            for t in [&mut span.enter.t, &mut span.exit.t] {
-                if *t > S::LOWEST && *t < S::HIGHEST {
-                    *t = t.plus(by);
-                }
+        for Span { enter, exit } in self.spans.iter_mut().skip(start) {
+            (enter.t, exit.t) = (of(enter.t), of(exit.t));
+            if enter.t == exit.t {
+                exit.t = exit.t.negated().next_below().negated();
             }
         }
         self.keep_ordered(start);

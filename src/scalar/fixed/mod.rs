@@ -13,6 +13,7 @@ pub use scale::Scale;
 pub use wide::Wide;
 
 use super::const_ops::ConstOps;
+use super::matrix::{Inverse, Matrix};
 use super::number::{Number, sealed::Sealed};
 use super::rebase::Rebased;
 use super::scalar::{FixedPoint, Formula, Roots, Scalar, Stretch};
@@ -155,6 +156,10 @@ impl<F: Fraction> Scalar for FixedI32<F> {
 
     fn stretch(from: [Self; 3], to: [Self; 3]) -> Option<Stretch<Self>> {
         ConstOps::<Self>::stretch(from, to)
+    }
+
+    fn inverted(matrix: Matrix<Wide>) -> Option<Inverse<Wide>> {
+        ConstOps::<Self>::inverted(matrix)
     }
 
     #[inline]

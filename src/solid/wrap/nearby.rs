@@ -21,3 +21,8 @@ pub(super) fn anchor<S: Scalar>(bounds: &Bounds<S>) -> Vec3<S> {
     let is_far = middle.is_finite() && middle.max_abs() > size * S::Wide::from_int(16);
     if is_far { middle.map(S::from_wide) } else { Vec3::ZERO }
 }
+
+/// A parameter that is counted from another one. Infinite ones stay.
+pub(super) fn shifted<S: Scalar>(t: S, from: S) -> S {
+    if t > S::LOWEST && t < S::HIGHEST { t.plus(from) } else { t }
+}
