@@ -22,6 +22,7 @@ use crate::scalar::{
 /// # Ok::<(), scancsg::geom::AffineError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct AffineMap<S: Scalar> {
     rows: Matrix<S::Wide>,
     inverse: Inverse<S::Wide>,
@@ -164,11 +165,13 @@ impl<S: Scalar> AffineMap<S> {
         Vec3::from(self.rows.map(along))
     }
 
-    /// The normal, of length 1, of a surface whose normal in the own frame is `own`: by the transposed
-    /// inverse.
-    pub(crate) fn normal(&self, own: Vec3<S>) -> Vec3<S> {
-        let [high, _] = &self.inverse;
-        let scene = product(&columns(high).map(Vec3::to_array), own.wide());
+    /// The normal, of length 1, at a point of the scene; `of` is the normal at a point, in the own frame. It
+    /// goes by the transposed inverse.
+    #[inline]
+    pub(crate) fn normal(&self, at: Vec3<S>, of: impl FnOnce(Vec3<S>) -> Vec3<S>) -> Vec3<S> {
+        let [back, _] = &self.inverse;
+        let own = of(quick_product(back, at.wide() - self.shift.wide()).map(S::from_wide));
+        let scene = quick_product(&transposed(back.map(Vec3::from)), own.wide());
         scene.normalized().map_or(own, |unit| unit.map(S::from_wide))
     }
 
@@ -202,9 +205,9 @@ impl<S: Scalar> AffineMap<S> {
     /// row. Their direction may have any length.
     pub(crate) fn rays_back(&self, rays: &OrthographicRays<S>) -> Option<RaysBack<S>> {
         let [back, _] = &self.inverse;
-        let direction = product(back, rays.forward);
+        let direction = quick_product(back, rays.forward);
         let forward = direction.normalized()?;
-        let (length, along_row) = (direction.dot(forward), product(back, rays.right));
+        let (length, along_row) = (direction.dot(forward), quick_product(back, rays.right));
         // What a step to the right moves along the rays is a shift of their parameters.
         let slant = along_row.dot(forward);
         let across = along_row - forward * slant;
@@ -214,14 +217,14 @@ impl<S: Scalar> AffineMap<S> {
         let inverse = S::Wide::ONE / (length * power);
         Some(RaysBack {
             rays: OrthographicRays {
-                center: product(back, rays.center - self.shift.wide()),
+                center: quick_product(back, rays.center - self.shift.wide()),
                 right,
                 down: forward.cross(right),
                 forward,
                 half_pixel: rays.half_pixel * across.dot(right),
                 columns: rays.columns,
             },
-            down: product(back, rays.down) * rays.half_pixel,
+            down: quick_product(back, rays.down) * rays.half_pixel,
             inverse: S::scale(inverse),
             power,
             step: -(rays.half_pixel * slant * inverse * power),
@@ -295,6 +298,12 @@ fn transposed<T: Number>([x, y, z]: [Vec3<T>; 3]) -> Matrix<T> {
 
 fn product<T: Real>(rows: &Matrix<T>, v: Vec3<T>) -> Vec3<T> {
     Vec3::from(rows.map(|row| Vec3::from(row).dot_compensated(v)))
+}
+
+/// As [`product`], in plain arithmetic: what a pixel or a row has time for.
+#[inline]
+fn quick_product<T: Real>(rows: &Matrix<T>, v: Vec3<T>) -> Vec3<T> {
+    Vec3::from(rows.map(|row| Vec3::from(row).dot(v)))
 }
 
 /// The point `from + t·direction` of the scene in a map's own frame, rounded once.

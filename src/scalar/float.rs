@@ -1,10 +1,10 @@
 //! [`Scalar`] for `f32` and `f64`.
 
 use super::const_ops::{normalized, stretch};
-use super::matrix::{Inverse, Matrix, inverted};
+use super::matrix::inverted;
 use super::number::{Number, Real};
 use super::rebase::{Rebased, rebased};
-use super::scalar::{Formula, Roots, Scalar, Stretch};
+use super::scalar::{Formula, Inverse, Matrix, Roots, Scalar, Stretch};
 use crate::numeric::{Double, Native, SATURATES_TO_I32, dot3, product_difference};
 
 /// `x·y`, added up from the first coordinate on.

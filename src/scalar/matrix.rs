@@ -2,15 +2,8 @@
 
 use super::const_ops::ConstOps;
 use super::fixed::{FixedI32, Fraction, Wide};
-use super::scalar::Scalar;
+use super::scalar::{Inverse, Matrix, Scalar};
 use crate::numeric::Double;
-
-/// A matrix, by its rows.
-pub type Matrix<T> = [[T; 3]; 3];
-
-/// An inverse as the sum of two matrices. The second one is what the first one's rounding lost in floating
-/// point; in fixed point it is zero.
-pub type Inverse<T> = [Matrix<T>; 2];
 
 /// The rows and columns that a cofactor is made of.
 const OTHERS: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
@@ -58,8 +51,8 @@ macro_rules! floats {
 
 floats!(f32, f64);
 
-/// Cramer's rule in twice the precision of `f64`, for entries up to `most`; `None` also where rounding hides
-/// whether there is an inverse.
+/// Cramer's rule in twice the precision of `f64`, for finite entries up to `most`; `None` also where rounding
+/// hides whether there is an inverse.
 #[allow(clippy::indexing_slicing)]
 pub(super) const fn inverted(m: Matrix<f64>, most: f64) -> Option<Matrix<Double<f64>>> {
     type Words = Double<f64>;
@@ -71,8 +64,7 @@ pub(super) const fn inverted(m: Matrix<f64>, most: f64) -> Option<Matrix<Double<
     let zero = words(0.0);
     let (mut cofactors, mut determinant, mut size) = ([[zero; 3]; 3], zero, 0.0);
     each_entry!(i, j => {
-        // Not so for NaN, either.
-        if !(m[i][j].abs() <= most) {
+        if m[i][j].abs() > most {
             return None;
         }
         let ([i0, i1], [j0, j1]) = (OTHERS[i], OTHERS[j]);
@@ -84,13 +76,13 @@ pub(super) const fn inverted(m: Matrix<f64>, most: f64) -> Option<Matrix<Double<
             size += m[i][j].abs() * (one.high.abs() + other.high.abs());
         }
     });
-    if !(determinant.high.abs() > size * ROUNDING) {
+    if determinant.high.abs() <= size * ROUNDING {
         return None;
     }
     let mut inverse = [[zero; 3]; 3];
     each_entry!(i, j => {
         inverse[j][i] = cofactors[i][j].div(determinant);
-        if !(inverse[j][i].high.abs() <= most) {
+        if inverse[j][i].high.abs() > most {
             return None;
         }
     });
@@ -116,13 +108,16 @@ impl<F: Fraction> ConstOps<FixedI32<F>> {
         let mut j = 0;
         while j < 3 {
             let column = [matrix[0][j].to_bits(), matrix[1][j].to_bits(), matrix[2][j].to_bits()];
-            let all =
-                column[0].unsigned_abs() | column[1].unsigned_abs() | column[2].unsigned_abs();
-            if all > 2 * LARGEST {
-                return None;
+            let (mut all, mut i) = (0, 0);
+            while i < 3 {
+                if column[i].unsigned_abs() > LARGEST {
+                    return None;
+                }
+                all |= column[i].unsigned_abs();
+                i += 1;
             }
             shifts[j] = BITS - length(all as u128);
-            let mut i = 0;
+            i = 0;
             while i < 3 {
                 m[i][j] = shifted(column[i] as i128, shifts[j]);
                 i += 1;

@@ -26,7 +26,6 @@ pub use scalar::{FixedPoint, Formula, Roots, Scalar};
 pub(crate) use crate::numeric::{Double, integer, two_sum};
 pub(crate) use const_ops::ConstOps;
 pub(crate) use fixed::Fraction;
-pub(crate) use matrix::{Inverse, Matrix};
 pub(crate) use per_scalar::per_scalar;
 pub(crate) use rebase::Rebased;
-pub(crate) use scalar::Stretch;
+pub(crate) use scalar::{Inverse, Matrix, Stretch};

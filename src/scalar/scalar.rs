@@ -1,6 +1,5 @@
 //! What a number type of scenes can do.
 
-use super::matrix::{Inverse, Matrix};
 use super::number::{Number, Real};
 use super::rebase::Rebased;
 use crate::numeric::{Native, add_product};
@@ -238,6 +237,13 @@ pub trait FixedPoint: Scalar {
     /// A coordinate of a direction, in units of 2⁻²⁸.
     fn unit_bits(unit: Self::Unit) -> i32;
 }
+
+/// A matrix, by its rows.
+pub type Matrix<T> = [[T; 3]; 3];
+
+/// An inverse as the sum of two matrices. The second one is what the first one's rounding lost in floating
+/// point; in fixed point it is zero.
+pub type Inverse<T> = [Matrix<T>; 2];
 
 /// The ends of a line, as offsets along its rounded direction.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -13,10 +13,9 @@ pub use scale::Scale;
 pub use wide::Wide;
 
 use super::const_ops::ConstOps;
-use super::matrix::{Inverse, Matrix};
 use super::number::{Number, sealed::Sealed};
 use super::rebase::Rebased;
-use super::scalar::{FixedPoint, Formula, Roots, Scalar, Stretch};
+use super::scalar::{FixedPoint, Formula, Inverse, Matrix, Roots, Scalar, Stretch};
 use crate::numeric::integer::{
     divide, leading_zeros, narrow, normalized, reciprocal, rounded_to_i32, shift_right, sqrt,
 };

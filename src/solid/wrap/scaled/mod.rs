@@ -90,7 +90,7 @@ impl<T: Solid> Solid for Scaled<T> {
     }
 
     fn normal(&self, face: Face, at: Vec3<T::Scalar>) -> Vec3<T::Scalar> {
-        self.map.normal(self.solid.normal(face, self.map.point_back(at)))
+        self.map.normal(at, |own| self.solid.normal(face, own))
     }
 
     fn bounds(&self) -> Bounds<T::Scalar> {
