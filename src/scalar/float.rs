@@ -2,10 +2,11 @@
 
 use super::const_ops::{normalized, stretch};
 use super::grid::Grid;
+use super::matrix::inverted;
 use super::number::{Number, Real};
 use super::rebase::{Rebased, rebased};
-use super::scalar::{Formula, Roots, Scalar, Stretch};
-use crate::numeric::{Native, SATURATES_TO_I32, dot3, product_difference};
+use super::scalar::{Formula, Inverse, Matrix, Roots, Scalar, Stretch};
+use crate::numeric::{Double, Native, SATURATES_TO_I32, dot3, product_difference};
 
 /// `x·y`, added up from the first coordinate on.
 #[inline]
@@ -164,6 +165,16 @@ impl<S: Native> Scalar for S {
             low: <S as Native>::from_f64(low),
             high: <S as Native>::from_f64(high),
         })
+    }
+
+    fn inverted(matrix: Matrix<Self>) -> Option<Inverse<Self>> {
+        let most = S::CONSTANTS.lengths[1].into();
+        let exact = inverted(matrix.map(|row| row.map(S::into)), most)?;
+        let high = exact.map(|row| row.map(|entry| S::from_f64(entry.high)));
+        let low = exact.map(|row| {
+            row.map(|Double { high, low }| S::from_f64((high - S::from_f64(high).into()) + low))
+        });
+        Some([high, low])
     }
 
     #[inline]

@@ -86,6 +86,10 @@ pub trait Scalar: Number {
     #[doc(hidden)]
     fn stretch(from: [Self; 3], to: [Self; 3]) -> Option<Stretch<Self>>;
 
+    /// The inverse of a matrix; `None` if there is none, or if it or the matrix has too large an entry.
+    #[doc(hidden)]
+    fn inverted(matrix: Matrix<Self::Wide>) -> Option<Inverse<Self::Wide>>;
+
     /// How far off a length in a pixel may be that is a sum of up to six lengths, `size` together,
     /// or of two of these, one of them times the column.
     fn uncertainty(size: Self::Wide) -> Self::Wide;
@@ -237,6 +241,13 @@ pub trait FixedPoint: Scalar {
     /// A coordinate of a direction, in units of 2⁻²⁸.
     fn unit_bits(unit: Self::Unit) -> i32;
 }
+
+/// A matrix, by its rows.
+pub type Matrix<T> = [[T; 3]; 3];
+
+/// An inverse as the sum of two matrices. The second one is what the first one's rounding lost in floating
+/// point; in fixed point it is zero.
+pub type Inverse<T> = [Matrix<T>; 2];
 
 /// The ends of a line, as offsets along its rounded direction.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -25,6 +25,7 @@
 //! | make a part | [`Cylinder`], [`Sphere`], [`Slab`], [`Torus`], [`Pipe`] |
 //! | combine parts | `a \| b`, `a & b`, `a - b`; arrays and [`Many`] for unions of one kind |
 //! | colour, move or turn a part | [`Painted`], [`Placed`] |
+//! | scale, mirror or shear a part | [`Scaled`] |
 //! | ask where a single ray meets it | [`RayCast`] |
 //! | add a solid of your own | implement [`Shape`] and [`Solid`], wrap it in [`ByLine`] |
 //! | wrap solids in a type of your own | [`Wrap`] |
@@ -50,4 +51,4 @@ pub use primitive::{
     Cone, ConeError, Cuboid, CuboidError, Cylinder, CylinderError, CylinderWall, HalfSpaceError, Polyhedron, PolyhedronError, Slab, SlabError, Sphere, SphereError, Torus, TorusError, WallHit,
 };
 pub use query::{Hit, RayCast, Seen, first_seen};
-pub use wrap::{ByLine, Painted, Placed, Wrap};
+pub use wrap::{ByLine, Painted, Placed, Scaled, Wrap};

@@ -1,7 +1,7 @@
 //! The operators `|`, `&` and `-`, of every solid with any other.
 
 use super::{
-    Boolean, ByLine, Cone, Cuboid, Cylinder, Difference, HalfSpace, Intersection, Many, Painted, Pipe, Placed, Polyhedron, Slab, Sphere, Torus, Union,
+    Boolean, ByLine, Cone, Cuboid, Cylinder, Difference, HalfSpace, Intersection, Many, Painted, Pipe, Placed, Polyhedron, Scaled, Slab, Sphere, Torus, Union,
 };
 use crate::scalar::Scalar;
 use crate::span::Shape;
@@ -46,5 +46,6 @@ operators! {
     [T, const N: usize] Many<T, N>,
     [T] Painted<T>,
     [T: Shape] Placed<T>,
+    [T: Shape] Scaled<T>,
     [O, L, R] Boolean<O, L, R>,
 }

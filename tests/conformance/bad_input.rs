@@ -190,6 +190,17 @@ fn poses<S: Tested>() {
     // A corner at reach is farther away than that once it's turned.
     let eighth = Pose::rotation_y(S::near(std::f64::consts::FRAC_PI_4)).unwrap();
     assert_eq!(there.then(&eighth).err(), Some(PoseError::TooFar));
+    assert_eq!(eighth.then(&there).unwrap().inverse().err(), Some(PoseError::TooFar));
+    assert_eq!(eighth.around(vector([-reach, 0.0, reach])).err(), Some(PoseError::TooFar));
+    at_every_place([1.0, 2.0, 3.0], PoseError::NotFinite, |x: [S; 3]| eighth.around(vec_of(&x)));
+    for axis in [[1.0, 2.0, 3.0], [0.0, -1.0, 0.0]] {
+        let [x, y, z] = axis;
+        at_every_place([x, y, z, 0.5], PoseError::NotFinite, |x: [S; 4]| {
+            Pose::about(vec_of(&x), x[3])
+        });
+    }
+    let zero = vector::<S>([0.0, -0.0, 0.0]);
+    assert_eq!(Pose::about(zero, S::ONE).err(), Some(PoseError::ZeroAxis));
 }
 
 fn orthographic_cameras<S: Tested>() {

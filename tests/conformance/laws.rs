@@ -9,7 +9,7 @@ use crate::number::{Tested, between, coordinates, ray, rod, spans, vector};
 use proptest::prelude::*;
 use scancsg::geom::{Line, Pose, Ray, Vec3, vec3};
 use scancsg::solid::{
-    Cone, Cylinder, Difference, Intersection, Placed, RayCast, Shape, Slab, Solid, Sphere, Union,
+    Cone, Cylinder, Difference, Intersection, Placed, RayCast, Scaled, Shape, Slab, Solid, Sphere, Union,
 };
 use scancsg::span::{Face, SpanList, SpanStack};
 
@@ -38,6 +38,7 @@ enum Primitive<S: Tested> {
     Cone(Cone<S>),
     Slab(Slab<S>),
     Sphere(Sphere<S>),
+    Scaled(Scaled<Sphere<S>>),
 }
 
 impl<S: Tested> Shape for Primitive<S> {
@@ -54,6 +55,7 @@ impl<S: Tested> Solid for Primitive<S> {
             Self::Cone(solid) => solid.spans(line, first, stack),
             Self::Slab(solid) => solid.spans(line, first, stack),
             Self::Sphere(solid) => solid.spans(line, first, stack),
+            Self::Scaled(solid) => solid.spans(line, first, stack),
         }
     }
 
@@ -63,6 +65,7 @@ impl<S: Tested> Solid for Primitive<S> {
             Self::Cone(solid) => solid.normal(face, at),
             Self::Slab(solid) => solid.normal(face, at),
             Self::Sphere(solid) => solid.normal(face, at),
+            Self::Scaled(solid) => solid.normal(face, at),
         }
     }
 }
@@ -111,6 +114,10 @@ fn primitive<S: Tested>() -> BoxedStrategy<Primitive<S>> {
             }),
         1 => (point(), size())
             .prop_map(|(center, radius)| Primitive::Sphere(S::sphere(center, radius).unwrap())),
+        1 => (point(), size(), [size::<S>(), size(), size()]).prop_map(|(center, radius, factors)| {
+            let ball = S::sphere(center, radius).unwrap();
+            Primitive::Scaled(Scaled::by(ball, factors).unwrap())
+        }),
     ]
     .boxed()
 }

@@ -5,11 +5,12 @@
 use crate::number::{Tested, ball, between, vector};
 use crate::rows::{direction, from_middle, up};
 use proptest::prelude::*;
-use scancsg::geom::{Line, OrthographicRays, PerspectiveRays, Pose, Rays, Vec3};
+use scancsg::geom::{AffineMap, Line, OrthographicRays, PerspectiveRays, Pose, Rays, Vec3};
 use scancsg::render::{Camera, Orthographic, Perspective, Size};
+use scancsg::scalar::Scalar;
 use scancsg::scan::{ColumnRun, Empty, Leaf, Scan};
 use scancsg::solid::{
-    Cone, Cylinder, Difference, Intersection, Painted, Placed, Rgb, Slab, Solid, Sphere, Union,
+    Cone, Cylinder, Difference, Intersection, Painted, Placed, Rgb, Scaled, Slab, Solid, Sphere, Union,
 };
 use scancsg::span::walk::{Cold, Hot, Path, Step};
 use scancsg::span::{Crossing, Face, Shape, Span, SpanList, SpanStack};
@@ -95,6 +96,82 @@ where
             leaf.spans(&view, row, x, &mut spans);
             let [Span { enter, exit }] = spans;
             *span.downcast_mut().unwrap() = Span::new(enter, exit);
+        };
+        LEAVES.with_borrow_mut(|leaves| {
+            let first = leaves.last().map_or(0, |leaf| leaf.first + leaf.faces);
+            leaves.push(ListedLeaf { first, faces: T::FACES, set: Box::new(set) });
+        });
+    }
+
+    fn row(&self, _: &Option<()>, _: i32, _: u32, _: &mut Option<()>) {}
+
+    fn enter(_: &mut Option<()>, _: u32) -> ColumnRun {
+        ColumnRun { is_visible: true, until: u32::MAX }
+    }
+
+    fn contains<P: Path>(&self, _: &Option<()>, _: &mut Option<()>, _: i32, _: T::Scalar) -> bool {
+        unreachable!("only lists are asked for")
+    }
+
+    fn step<P: Path>(
+        &self,
+        _: &Option<()>,
+        _: &mut Option<()>,
+        _: i32,
+        _: T::Scalar,
+        _: Face,
+    ) -> Step<T::Scalar> {
+        unreachable!("only lists are asked for")
+    }
+}
+
+/// As [`Listed`], of a solid that is no leaf but has at most one span: what it says in a walk of its own.
+#[derive(Debug, Clone, Copy)]
+struct Walked<T>(T);
+
+impl<T: Shape> Shape for Walked<T> {
+    type Scalar = T::Scalar;
+    const SPANS: usize = T::SPANS;
+    const STACK: usize = T::STACK;
+    const FACES: u16 = T::FACES;
+}
+
+impl<T: Solid + Copy> Solid for Walked<T> {
+    fn spans(&self, line: &Line<T::Scalar>, first: Face, stack: &mut SpanStack<'_, T::Scalar>) {
+        Listed(self.0).spans(line, first, stack);
+    }
+
+    fn normal(&self, face: Face, at: Vec3<T::Scalar>) -> Vec3<T::Scalar> {
+        self.0.normal(face, at)
+    }
+}
+
+impl<R, T> Scan<R> for Walked<T>
+where
+    T: Scan<R, View: 'static, Row: 'static> + Copy + 'static,
+    R: 'static,
+{
+    type View = Option<()>;
+    type Row = Option<()>;
+
+    fn view(&self, rays: &R, _: &mut Option<()>) {
+        let solid = self.0;
+        let mut view = T::View::EMPTY;
+        solid.view(rays, &mut view);
+        let set = move |span: &mut dyn Any| {
+            let (x, y, columns) = PIXEL.get();
+            let mut row = T::Row::EMPTY;
+            solid.row(&view, y, columns, &mut row);
+            let column = (x + columns as i32 - 1) / 2;
+            *span.downcast_mut::<Option<Span<T::Scalar>>>().unwrap() = None;
+            if T::enter(&mut row, column as u32).is_visible {
+                let mut behind = |t| solid.step::<Cold>(&view, &mut row, x, t, Face(0));
+                let lowest = Crossing { t: T::Scalar::LOWEST, face: Face(0) };
+                let Step { inside, next } = behind(lowest.t);
+                let enter = if inside { lowest } else { next };
+                let exit = if inside { next } else { behind(next.t).next };
+                *span.downcast_mut().unwrap() = Span::new(enter, exit);
+            }
         };
         LEAVES.with_borrow_mut(|leaves| {
             let first = leaves.last().map_or(0, |leaf| leaf.first + leaf.faces);
@@ -307,7 +384,8 @@ fn views() -> impl Strategy<Value = Views> {
     })
 }
 
-/// What a tree is built of: rods, balls and slabs, and a group of rods drilled by another one.
+/// What a tree is built of: rods, balls and slabs, scaled rods and balls, and a group of rods drilled by
+/// another one.
 #[derive(Debug, Clone)]
 struct Leaves<R, B, L, C> {
     r: [R; 8],
@@ -324,6 +402,15 @@ impl<R: Copy, B, L, C> Leaves<R, B, L, C> {
 }
 
 type Drawn<S> = Leaves<Cylinder<S>, Sphere<S>, Slab<S>, Cone<S>>;
+struct Leaves<R, B, L, D, E> {
+    drum: D,
+    egg: E,
+
+impl<R: Copy, B, L, D, E> Leaves<R, B, L, D, E> {
+    fn new(r: [R; 8], b: [B; 4], s: [L; 3], drum: D, egg: E) -> Self {
+        Self { r, b, s, drum, egg, bored: Difference::new([r[0], r[1]], [r[2], r[3]]) }
+
+type Drawn<S> = Leaves<Cylinder<S>, Sphere<S>, Slab<S>, Scaled<Cylinder<S>>, Scaled<Sphere<S>>>;
 
 impl<S: Tested> Drawn<S> {
     fn drawn(
@@ -335,6 +422,13 @@ impl<S: Tested> Drawn<S> {
         use proptest::array::{uniform3, uniform4, uniform8};
         (uniform8(rod), uniform4(ball), uniform3(slab), uniform3(cone))
             .prop_map(|(r, b, s, c)| Self::new(r, b, s, c))
+        (uniform8(rod), uniform4(ball), uniform3(slab)).prop_map(|(r, b, s)| {
+            let scale = |factors: [f64; 3]| AffineMap::scaling(factors.map(S::near)).unwrap();
+            let columns = [[0.5, 0.25, 0.0], [0.0, 1.0, 0.5], [0.25, 0.0, -1.5]].map(vector);
+            let shear = AffineMap::with_columns(columns, vector([0.5, 0.0, -0.25])).unwrap();
+            let egg = Scaled::new(b[3], scale([1.5, -0.5, 1.0]));
+            Self::new(r, b, s, Scaled::new(r[7], shear), egg)
+        })
     }
 
     /// Trees of all operations; operands of each kind on either side; groups of primitives and of trees,
@@ -347,6 +441,8 @@ impl<S: Tested> Drawn<S> {
             self.b.map(Listed),
             self.s.map(Listed),
             self.c.map(Listed),
+            Walked(self.drum),
+            Walked(self.egg),
         );
         // A tree of these, and the same of those that are listed.
         macro_rules! check {
@@ -379,6 +475,9 @@ impl<S: Tested> Drawn<S> {
             painted(of.r[0]) | (painted(of.r[1]) - Placed::new(&of.bored, pose));
             Difference::new([of.c[0], of.c[1]], [of.r[0], of.r[1]]) | (of.c[2] & of.s[0]);
             (of.r[0] - of.c[0]) | (of.b[0] - (of.c[1] | Placed::new(&of.c[2], pose)));
+            Difference::new(Union::new(of.egg, of.r[0]), Intersection::new(of.drum, of.s[0]));
+            Difference::new(of.b[0], [Difference::new(of.egg, of.r[1]), Difference::new(of.egg, of.r[2])]);
+            Union::new(painted(of.drum), Placed::new(Difference::new(of.egg, of.b[1]), pose));
             Placed::new(&of.r[0], pose) & (of.b[0] | (Placed::new(&of.b[1], pose) - of.s[0]));
         };
         Ok(counts.into_iter().sum())

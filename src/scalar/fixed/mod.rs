@@ -16,7 +16,7 @@ use super::const_ops::ConstOps;
 use super::grid::Grid;
 use super::number::{Number, sealed::Sealed};
 use super::rebase::Rebased;
-use super::scalar::{FixedPoint, Formula, Roots, Scalar, Stretch};
+use super::scalar::{FixedPoint, Formula, Inverse, Matrix, Roots, Scalar, Stretch};
 use crate::numeric::integer::{
     divide, leading_zeros, narrow, normalized, reciprocal, rounded_to_i32, shift_right, sqrt,
 };
@@ -165,6 +165,10 @@ impl<F: Fraction> Scalar for FixedI32<F> {
 
     fn stretch(from: [Self; 3], to: [Self; 3]) -> Option<Stretch<Self>> {
         ConstOps::<Self>::stretch(from, to)
+    }
+
+    fn inverted(matrix: Matrix<Wide>) -> Option<Inverse<Wide>> {
+        ConstOps::<Self>::inverted(matrix)
     }
 
     #[inline]

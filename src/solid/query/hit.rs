@@ -100,15 +100,29 @@ pub(crate) fn seen_at<S: Scalar>(
         let length = S::length(normal.to_array());
         length.plus(length) > S::ONE
     };
-    let first @ [_, normal] = seen(t);
     // By more than an eighth: the sign alone would also tell of a tangent whose normal was rounded.
-    let along = (0..3).fold(normal.dot(line.direction), |along, _| along.plus(along));
-    if is_some(normal) && along <= line.direction.max_abs() {
-        return first;
+    let is_away = |normal: Vec3<S>| {
+        let along = (0..3).fold(normal.dot(line.direction), |along, _| along.plus(along));
+        along > line.direction.max_abs()
+    };
+    let first @ [_, normal] = seen(t);
+    let [point, normal] = if is_some(normal) && !is_away(normal) {
+        first
+    } else {
+        seen(if inside { t.negated().next_below().negated() } else { t.next_below() })
+    };
+    let is_unit = S::length(normal.to_array()).minus(S::ONE).abs() < S::from_ratio(1, 16);
+    if is_unit && !is_away(normal) {
+        return [point, normal];
     }
-    let farther_out = if inside { t.negated().next_below().negated() } else { t.next_below() };
-    let [point, normal] = seen(farther_out);
-    // Smaller than its coordinates' units, a solid has no normals of its own.
-    let towards_start = || Vec3::from(S::with_length((-line.direction).to_array(), S::ONE));
-    [point, if is_some(normal) { normal } else { towards_start() }]
+    // Of a few units, a solid has no normals of its own: the nearest one that doesn't point away.
+    let of_length_1 = |v: Vec3<S>| Vec3::from(S::with_length(v.to_array(), S::ONE));
+    let towards_start = of_length_1(-line.direction);
+    let normal = of_length_1(normal);
+    let across = normal - towards_start * normal.dot(towards_start);
+    match () {
+        () if !is_away(normal) && normal != Vec3::ZERO => [point, normal],
+        () if is_some(across) => [point, of_length_1(across)],
+        () => [point, towards_start],
+    }
 }

@@ -8,7 +8,7 @@ mod tests;
 
 pub use open::{CylinderWall, WallHit};
 
-use crate::geom::{Axis, Direction, Line, Vec3};
+use crate::geom::{Axis, AxisLine, Direction, Line, Vec3};
 use crate::quadric::{Planes, WALL, Wall, meet};
 use crate::scalar::{ConstOps, Real, Scalar, Stretch, per_scalar};
 use crate::scan::bounds::Bounds;
@@ -131,6 +131,21 @@ per_scalar! { $S: impl[] Cylinder<$S> {
         }
     }
 
+    /// A cylinder on an axis that it may share with other solids, from one position along it to another:
+    /// see [`AxisLine`].
+    ///
+    /// # Errors
+    /// As [`along_x`](Self::along_x).
+    pub const fn on(
+        axis: &AxisLine<$S>,
+        radius: $S,
+        from: $S,
+        to: $S,
+    ) -> Result<Self, CylinderError> {
+        let [low, high] = [axis.plane_at(from), axis.plane_at(to)];
+        Self::around(axis.first(), axis.direction(), radius, low, high)
+    }
+
     const fn around(
         base: Vec3<$S>,
         axis: Direction<$S>,
@@ -212,6 +227,15 @@ impl<S: Scalar> Cylinder<S> {
         }
         let (axis, [low, high]) = Direction::between(from, to).ok_or(CylinderError::Empty)?;
         Self::checked(from, axis, radius, low, high)
+    }
+
+    /// A cylinder on an axis that it may share with other solids, from one position along it to another.
+    ///
+    /// # Errors
+    /// As [`on`](Self::on).
+    pub fn on_axis(axis: &AxisLine<S>, radius: S, from: S, to: S) -> Result<Self, CylinderError> {
+        let [low, high] = [from, to].map(|position| axis.offset(position));
+        Self::checked(axis.first(), axis.direction(), radius, low, high)
     }
 
     fn checked(
