@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use scancsg::geom::{Line, Pose, Vec3};
-use scancsg::scalar::I16F16;
+use scancsg::scalar::{I16F16, Number};
 use scancsg::solid::{Bounds, ByLine, Placed, RayCast, Solid};
 use scancsg::span::{Face, Shape, SpanList, SpanStack};
 use testkit::number::{Tested, ball, between, coordinates, ray, vector};

@@ -4,9 +4,9 @@ use super::ball::Ball;
 use super::corners::Corners;
 use super::half_space::HalfSpace;
 use super::planes::{PlaneRoots, Planes};
-use super::taper::{Conic, Taper};
 use super::quartic::ReadyTorus;
 use super::ring::Ring;
+use super::taper::{Conic, Taper};
 use super::wall::Wall;
 use super::{fixed, float};
 use crate::geom::Line;
@@ -96,8 +96,12 @@ type Faces<S> = [HalfSpace<S>];
 formula! {
     /// The part of a line inside all half-spaces.
     half_spaces(faces: Faces) -> Option<Span<S>>, InHalfSpaces
+}
+
+formula! {
     /// Where a line is inside a torus, in order.
     torus(torus: ReadyTorus) -> [Option<Span<S>>; 2], InTorus
+}
 
 struct ToDoubles<'a, S: Scalar>(&'a Ring<S>);
 
@@ -117,6 +121,7 @@ impl<S: Scalar> Formula<S> for ToDoubles<'_, S> {
     {
         fixed::ready_torus(self.0)
     }
+}
 
 /// A torus in `f64`, ready for any number of lines.
 pub(crate) fn ready_torus<S: Scalar>(ring: &Ring<S>) -> ReadyTorus<S> {

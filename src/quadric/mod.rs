@@ -23,16 +23,16 @@ mod float;
 mod half_space;
 pub(crate) mod meet;
 mod planes;
-mod taper;
 mod quartic;
 mod ring;
+mod taper;
 mod wall;
 
 pub(crate) use ball::Ball;
 pub(crate) use corners::Corners;
 pub use half_space::HalfSpace;
 pub(crate) use planes::{PlaneRoots, Planes};
-pub(crate) use taper::{Conic, Taper};
 pub(crate) use quartic::ReadyTorus;
 pub(crate) use ring::{Ring, regular};
+pub(crate) use taper::{Conic, Taper};
 pub(crate) use wall::{WALL, Wall};

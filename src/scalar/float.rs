@@ -25,7 +25,7 @@ impl<S: Native> Number for S {
 
     #[inline]
     fn from_f64(number: f64) -> Self {
-        Native::from_f64(number)
+        Native::from_double(number)
     }
 
     #[inline]
@@ -153,26 +153,24 @@ impl<S: Native> Scalar for S {
     }
 
     fn normalized(vector: [Self; 3]) -> Option<[Self; 3]> {
-        Some(normalized(vector.map(S::into))?.map(<S as Native>::from_f64))
+        Some(normalized(vector.map(S::into))?.map(S::from_double))
     }
 
     fn stretch(from: [Self; 3], to: [Self; 3]) -> Option<Stretch<Self>> {
         let ends = [from, to].map(|end| end.map(S::into));
         let Stretch { direction, low, high } = stretch(ends[0], ends[1], size_of::<S>())?;
-        let direction = direction.map(<S as Native>::from_f64);
-        Some(Stretch {
-            direction,
-            low: <S as Native>::from_f64(low),
-            high: <S as Native>::from_f64(high),
-        })
+        let direction = direction.map(S::from_double);
+        Some(Stretch { direction, low: S::from_double(low), high: S::from_double(high) })
     }
 
     fn inverted(matrix: Matrix<Self>) -> Option<Inverse<Self>> {
         let most = S::CONSTANTS.lengths[1].into();
         let exact = inverted(matrix.map(|row| row.map(S::into)), most)?;
-        let high = exact.map(|row| row.map(|entry| S::from_f64(entry.high)));
+        let high = exact.map(|row| row.map(|entry| S::from_double(entry.high)));
         let low = exact.map(|row| {
-            row.map(|Double { high, low }| S::from_f64((high - S::from_f64(high).into()) + low))
+            row.map(|Double { high, low }| {
+                S::from_double((high - S::from_double(high).into()) + low)
+            })
         });
         Some([high, low])
     }

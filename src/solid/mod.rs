@@ -21,8 +21,8 @@
 //!
 //! | to | use |
 //! |---|---|
-//! | make a part | [`Cylinder`], [`Cone`], [`Sphere`], [`Slab`], [`Pipe`] |
-//! | make a part | [`Cylinder`], [`Sphere`], [`Slab`], [`Torus`], [`Pipe`] |
+//! | make a part | [`Cuboid`], [`Cylinder`], [`Cone`], [`Sphere`], [`Torus`], [`Polyhedron`], [`Pipe`] |
+//! | cut a part | [`HalfSpace`], [`Slab`], [`section`](Section) |
 //! | combine parts | `a \| b`, `a & b`, `a - b`; arrays and [`Many`] for unions of one kind |
 //! | colour, move or turn a part | [`Painted`], [`Placed`] |
 //! | scale, mirror or shear a part | [`Scaled`] |
@@ -48,7 +48,8 @@ pub use compound::{Capsule, RoundedCuboid};
 pub use describe::{Rgb, Solid};
 pub use pipe::{Pipe, PipeError};
 pub use primitive::{
-    Cone, ConeError, Cuboid, CuboidError, Cylinder, CylinderError, CylinderWall, HalfSpaceError, Polyhedron, PolyhedronError, Slab, SlabError, Sphere, SphereError, Torus, TorusError, WallHit,
+    Cone, ConeError, Cuboid, CuboidError, Cylinder, CylinderError, CylinderWall, HalfSpaceError,
+    Polyhedron, PolyhedronError, Slab, SlabError, Sphere, SphereError, Torus, TorusError, WallHit,
 };
 pub use query::{Hit, RayCast, Seen, first_seen};
 pub use wrap::{ByLine, Painted, Placed, Scaled, Wrap};

@@ -1,7 +1,8 @@
 //! The operators `|`, `&` and `-`, of every solid with any other.
 
 use super::{
-    Boolean, ByLine, Cone, Cuboid, Cylinder, Difference, HalfSpace, Intersection, Many, Painted, Pipe, Placed, Polyhedron, Scaled, Slab, Sphere, Torus, Union,
+    Boolean, ByLine, Cone, Cuboid, Cylinder, Difference, HalfSpace, Intersection, Many, Painted,
+    Pipe, Placed, Polyhedron, Scaled, Slab, Sphere, Torus, Union,
 };
 use crate::scalar::Scalar;
 use crate::span::Shape;

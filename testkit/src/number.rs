@@ -6,7 +6,8 @@ use fixed::types::{I8F24, I20F12, I24F8};
 use scancsg::geom::{Pose, PoseError, Ray, Vec3, vec3};
 use scancsg::scalar::{FixedPoint, I16F16, Scalar};
 use scancsg::solid::{
-    Cone, ConeError, Cylinder, CylinderError, RayCast, Slab, SlabError, Solid, Sphere, SphereError, Torus, TorusError,
+    Cone, ConeError, Cylinder, CylinderError, RayCast, Slab, SlabError, Solid, Sphere, SphereError,
+    Torus, TorusError,
 };
 use scancsg::span::SpanList;
 

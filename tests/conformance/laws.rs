@@ -9,7 +9,8 @@ use crate::number::{Tested, between, coordinates, ray, rod, spans, vector};
 use proptest::prelude::*;
 use scancsg::geom::{Line, Pose, Ray, Vec3, vec3};
 use scancsg::solid::{
-    Cone, Cylinder, Difference, Intersection, Placed, RayCast, Scaled, Shape, Slab, Solid, Sphere, Union,
+    Cone, Cylinder, Difference, Intersection, Placed, RayCast, Scaled, Shape, Slab, Solid, Sphere,
+    Union,
 };
 use scancsg::span::{Face, SpanList, SpanStack};
 

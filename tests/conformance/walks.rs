@@ -5,12 +5,13 @@
 use crate::number::{Tested, ball, between, vector};
 use crate::rows::{direction, from_middle, up};
 use proptest::prelude::*;
-use scancsg::geom::{AffineMap, Line, OrthographicRays, PerspectiveRays, Pose, Rays, Vec3};
+use scancsg::geom::{AffineMap, Axis, Line, OrthographicRays, PerspectiveRays, Pose, Rays, Vec3};
 use scancsg::render::{Camera, Orthographic, Perspective, Size};
 use scancsg::scalar::Scalar;
 use scancsg::scan::{ColumnRun, Empty, Leaf, Scan};
 use scancsg::solid::{
-    Cone, Cylinder, Difference, Intersection, Painted, Placed, Rgb, Scaled, Slab, Solid, Sphere, Union,
+    Cone, Cuboid, Cylinder, Difference, Intersection, Painted, Placed, Polyhedron, Rgb, Scaled,
+    Slab, Solid, Sphere, Union,
 };
 use scancsg::span::walk::{Cold, Hot, Path, Step};
 use scancsg::span::{Crossing, Face, Shape, Span, SpanList, SpanStack};
@@ -387,30 +388,38 @@ fn views() -> impl Strategy<Value = Views> {
 /// What a tree is built of: rods, balls and slabs, scaled rods and balls, and a group of rods drilled by
 /// another one.
 #[derive(Debug, Clone)]
-struct Leaves<R, B, L, C> {
+struct Leaves<R, B, L, C, X, P, D, E> {
     r: [R; 8],
     b: [B; 4],
     s: [L; 3],
     c: [C; 3],
+    x: [X; 2],
+    p: P,
+    drum: D,
+    egg: E,
     bored: Difference<[R; 2], [R; 2]>,
 }
 
-impl<R: Copy, B, L, C> Leaves<R, B, L, C> {
-    fn new(r: [R; 8], b: [B; 4], s: [L; 3], c: [C; 3]) -> Self {
-        Self { r, b, s, c, bored: Difference::new([r[0], r[1]], [r[2], r[3]]) }
+impl<R: Copy, B, L, C, X, P, D, E> Leaves<R, B, L, C, X, P, D, E> {
+    fn new(
+        (r, b, s, c): ([R; 8], [B; 4], [L; 3], [C; 3]),
+        (x, p, drum, egg): ([X; 2], P, D, E),
+    ) -> Self {
+        let bored = Difference::new([r[0], r[1]], [r[2], r[3]]);
+        Self { r, b, s, c, x, p, drum, egg, bored }
     }
 }
 
-type Drawn<S> = Leaves<Cylinder<S>, Sphere<S>, Slab<S>, Cone<S>>;
-struct Leaves<R, B, L, D, E> {
-    drum: D,
-    egg: E,
-
-impl<R: Copy, B, L, D, E> Leaves<R, B, L, D, E> {
-    fn new(r: [R; 8], b: [B; 4], s: [L; 3], drum: D, egg: E) -> Self {
-        Self { r, b, s, drum, egg, bored: Difference::new([r[0], r[1]], [r[2], r[3]]) }
-
-type Drawn<S> = Leaves<Cylinder<S>, Sphere<S>, Slab<S>, Scaled<Cylinder<S>>, Scaled<Sphere<S>>>;
+type Drawn<S> = Leaves<
+    Cylinder<S>,
+    Sphere<S>,
+    Slab<S>,
+    Cone<S>,
+    Cuboid<S>,
+    Polyhedron<S, 6>,
+    Scaled<Cylinder<S>>,
+    Scaled<Sphere<S>>,
+>;
 
 impl<S: Tested> Drawn<S> {
     fn drawn(
@@ -418,16 +427,26 @@ impl<S: Tested> Drawn<S> {
         ball: impl Strategy<Value = Sphere<S>>,
         slab: impl Strategy<Value = Slab<S>>,
         cone: impl Strategy<Value = Cone<S>>,
+        corner: impl Strategy<Value = f64>,
     ) -> impl Strategy<Value = Self> {
-        use proptest::array::{uniform3, uniform4, uniform8};
-        (uniform8(rod), uniform4(ball), uniform3(slab), uniform3(cone))
-            .prop_map(|(r, b, s, c)| Self::new(r, b, s, c))
-        (uniform8(rod), uniform4(ball), uniform3(slab)).prop_map(|(r, b, s)| {
+        use proptest::array::{uniform2, uniform3, uniform4, uniform8};
+        let cuboids = uniform2((uniform3(corner), uniform3(1..4i32)));
+        let round = (uniform8(rod), uniform4(ball), uniform3(slab), uniform3(cone));
+        (round, cuboids).prop_map(|(round, cuboids)| {
             let scale = |factors: [f64; 3]| AffineMap::scaling(factors.map(S::near)).unwrap();
             let columns = [[0.5, 0.25, 0.0], [0.0, 1.0, 0.5], [0.25, 0.0, -1.5]].map(vector);
             let shear = AffineMap::with_columns(columns, vector([0.5, 0.0, -0.25])).unwrap();
-            let egg = Scaled::new(b[3], scale([1.5, -0.5, 1.0]));
-            Self::new(r, b, s, Scaled::new(r[7], shear), egg)
+            let egg = Scaled::new(round.1[3], scale([1.5, -0.5, 1.0]));
+            let drum = Scaled::new(round.0[7], shear);
+            let x = cuboids.map(|(low, halves)| {
+                let high: [f64; 3] = std::array::from_fn(|i| low[i] + f64::from(halves[i]) / 2.0);
+                Cuboid::between(vector(low), vector(high)).unwrap()
+            });
+            // A wedge on the first box's floor.
+            let [low, high] = x[0].corners();
+            let polygon = [[low.x, low.y], [high.x, low.y], [low.x, high.y]];
+            let wedge = Polyhedron::extruded(Axis::Z, polygon, low.z, high.z).unwrap();
+            Self::new(round, (x, wedge, drum, egg))
         })
     }
 
@@ -437,12 +456,8 @@ impl<S: Tested> Drawn<S> {
         let shift = S::translation(vector([0.5, -1.0, 0.5])).unwrap();
         let pose = Pose::rotation_z(S::near(0.5)).and_then(|turn| turn.then(&shift)).unwrap();
         let all = Leaves::new(
-            self.r.map(Listed),
-            self.b.map(Listed),
-            self.s.map(Listed),
-            self.c.map(Listed),
-            Walked(self.drum),
-            Walked(self.egg),
+            (self.r.map(Listed), self.b.map(Listed), self.s.map(Listed), self.c.map(Listed)),
+            (self.x.map(Listed), Listed(self.p), Walked(self.drum), Walked(self.egg)),
         );
         // A tree of these, and the same of those that are listed.
         macro_rules! check {
@@ -474,6 +489,8 @@ impl<S: Tested> Drawn<S> {
             Intersection::new(of.b, [of.r[0] | of.r[1], of.r[2] | of.r[3]]);
             painted(of.r[0]) | (painted(of.r[1]) - Placed::new(&of.bored, pose));
             Difference::new([of.c[0], of.c[1]], [of.r[0], of.r[1]]) | (of.c[2] & of.s[0]);
+            Difference::new([of.x[0], of.x[1]], [of.r[0], of.r[1]]) | (of.p - of.s[0]);
+            (of.r[0] - of.x[0]) | (of.b[0] - (of.p | Placed::new(&of.x[1], pose)));
             (of.r[0] - of.c[0]) | (of.b[0] - (of.c[1] | Placed::new(&of.c[2], pose)));
             Difference::new(Union::new(of.egg, of.r[0]), Intersection::new(of.drum, of.s[0]));
             Difference::new(of.b[0], [Difference::new(of.egg, of.r[1]), Difference::new(of.egg, of.r[2])]);
@@ -517,7 +534,7 @@ fn trees_of_whatever_touches<S: Tested>() {
             S::cone_along(axis, middle.map(S::near), radii, low, high).unwrap()
         },
     );
-    check_trees(Drawn::drawn(rod, round, slab, cone));
+    check_trees(Drawn::drawn(rod, round, slab, cone, grid(3)));
 }
 
 /// Along any direction, anywhere.
@@ -538,7 +555,7 @@ fn trees_of_whatever_lies_askew<S: Tested>() {
             S::cone_between(vector(from), vector(to), radii).unwrap()
         },
     );
-    check_trees(Drawn::drawn(rod, round, slab, cone));
+    check_trees(Drawn::drawn(rod, round, slab, cone, -1.5f64..1.0));
 }
 
 fn check_trees<S: Tested>(leaves: impl Strategy<Value = Drawn<S>>) {

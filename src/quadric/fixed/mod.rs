@@ -22,5 +22,4 @@ pub(super) use ball::ball;
 pub(super) use cone::{cone, conic};
 pub(super) use cylinder::{cylinder, open_cylinder};
 pub(super) use planes::{cuboid, half_spaces, planes};
-pub(super) use planes::planes;
 pub(super) use torus::{ready_torus, torus};

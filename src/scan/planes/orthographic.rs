@@ -1,8 +1,6 @@
 //! Planes along parallel rays: they are crossed at parameters that are affine in the column.
 
-use crate::geom::{Affine, Direction, OrthographicRays, Vec3};
-use crate::geom::{Affine, OrthographicRays, Vec3, signed};
-use crate::quadric::Planes;
+use crate::geom::{Affine, Direction, OrthographicRays, Vec3, signed};
 use crate::quadric::{HalfSpace, Planes};
 use crate::scalar::{Number, Real, Scalar};
 use crate::scan::Empty;
@@ -77,7 +75,7 @@ impl<S: Scalar> Ends<S> {
         columns: u32,
     ) -> Steps {
         let apart = Affine { middle: S::Wide::ZERO, step: view.step - other_view.step };
-        let way = |step| S::Wide::ZERO.after_steps(step, columns as i32).abs();
+        let way = |step| S::Wide::ZERO.after_steps(step, signed(columns)).abs();
         let ends = [self.near, self.far, other.near, other.far];
         let size = ends.into_iter().fold(S::Wide::ZERO, |sum, end| sum + end.abs())
             + (way(view.step) + way(other_view.step));
@@ -210,7 +208,7 @@ impl<S: Scalar> HalfSpace<S> {
     ) -> OrthographicFace<S> {
         let height = view.row_height(y);
         let at = (self.offset.wide() - height) * view.inverse;
-        if view.inverse != S::Wide::ZERO && at.holds_steps(view.step, columns as i32) {
+        if view.inverse != S::Wide::ZERO && at.holds_steps(view.step, signed(columns)) {
             return OrthographicFace::Across(at);
         }
         OrthographicFace::EdgeOn(view.edge_on(height))

@@ -4,7 +4,7 @@
 //! lies before an exited one is affine in the column, which gives the exact silhouette.
 
 use super::Polyhedron;
-use crate::geom::{Affine, Extent, OrthographicRays};
+use crate::geom::{Affine, Extent, OrthographicRays, signed};
 use crate::quadric::HalfSpace;
 use crate::scalar::{Number, Real, Scalar};
 use crate::scan::bounds::{Outline, Rectangle, Silhouette, Steps};
@@ -98,7 +98,7 @@ impl<S: Scalar, const N: usize> PolyhedronRow<S, N> {
 
     /// Where rays can be behind every face that they enter at, and before every one that they exit at.
     fn steps(&self, columns: u32) -> Steps {
-        let way = |step| S::Wide::ZERO.after_steps(step, columns as i32).abs();
+        let way = |step| S::Wide::ZERO.after_steps(step, signed(columns)).abs();
         let [entering, exiting] = self.ends();
         let mut steps = Steps::ALL;
         for End { at: enter, .. } in entering {
