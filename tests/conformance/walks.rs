@@ -466,7 +466,8 @@ impl<S: Tested> Drawn<S> {
                     let $of = self;
                     let solid = $tree;
                     let $of = &all;
-                    views.check(&solid, &$tree)?
+                    let told = |error| TestCaseError::fail(format!("{error} in {}", stringify!($tree)));
+                    views.check(&solid, &$tree).map_err(told)?
                 }),+]
             };
         }
