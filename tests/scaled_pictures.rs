@@ -26,6 +26,7 @@ for_every_number!(
     normals_are_at_right_angles_to_the_surface,
     bounds_hold_the_solid,
     nested_with_other_wrappers,
+    a_common_face_stays_one,
     what_is_no_map,
 );
 
@@ -274,6 +275,42 @@ fn nested_with_other_wrappers<S: Tested>() {
         count.set(count.get() + seen);
     });
     assert!(count.get() > 10_000, "{count:?}");
+}
+
+/// Two solids with one map share their own frame, and with it the bits at which a common face is crossed: no
+/// film in the opening of a cup.
+fn a_common_face_stays_one<S: Tested>() {
+    let pixels = std::cell::Cell::new(0);
+    let size = size::<S>();
+    proptest!(ProptestConfig::with_cases(20), |(map in map::<S>(size), to in [-0.5..0.5, -0.5..0.5])| {
+        let drum = |r: f64, low: f64| rod::<S>(r * size, low * size, size);
+        let cup = Scaled::new(drum(1.0, -1.0), map) - Scaled::new(drum(0.8, 0.25), map);
+        // From outside of the opening, into it.
+        let own = |v: V| coordinates(map.point(vector(v.map(|x| x * size))));
+        let (middle, there) = (own([1.0, 0.0, 0.0]), own([5.0, to[0], to[1]]));
+        let way = sub(middle, there);
+        let film = Face(4);
+        for (from, aim) in [([5.0, 0.0, 0.0], to), ([3.0, to[0], to[1]], [0.1, 0.2])] {
+            let (start, end) = (own(from), own([1.0, aim[0], aim[1]]));
+            let ray = ray::<S>(start, sub(end, start));
+            let hit = cup.hit(&ray, &mut SpanList::<S, 8>::new()).unwrap();
+            prop_assert!(hit.face != film && hit.face != Face(1), "{:?}", hit);
+        }
+        let up = vector([0.3, 1.0, 0.1]);
+        let Ok(camera) = Orthographic::look_along(vector(way), vector(middle), up, S::near(4.0)) else {
+            return Ok(());
+        };
+        let size = Size::new(SIZE, SIZE).unwrap();
+        let mut picture = Picture::new(&cup, &camera, size, XRay::new(S::ONE).unwrap(), Gray8(0));
+        for y in 0..SIZE {
+            let mut row = picture.scanline(y).unwrap();
+            for seen in (0..SIZE).filter_map(|x| row.seen(x)) {
+                prop_assert!(seen.face != film);
+                pixels.set(pixels.get() + 1);
+            }
+        }
+    });
+    assert!(pixels.get() > 2000, "{pixels:?}");
 }
 
 fn what_is_no_map<S: Tested>() {

@@ -19,7 +19,7 @@ use crate::scalar::{
 /// let quarter = Pose::<f32>::rotation_z(core::f32::consts::FRAC_PI_2)?;
 /// let map = stretch.then(&AffineMap::of_pose(&quarter)?)?;
 /// assert!((map.point(vec3(1.0, 0.0, 3.0)) - vec3(0.0, 2.0, -3.0)).max_abs() < 1e-6);
-/// # Ok::<(), scancsg::geom::AffineError>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

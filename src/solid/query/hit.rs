@@ -95,33 +95,37 @@ pub(crate) fn seen_at<S: Scalar>(
         let [point, outward] = at(line.at(t));
         [point, if inside { -outward } else { outward }]
     };
-    // Or about zero: near an oblique axis, what is left of the way from there is rounding errors.
-    let is_some = |normal: Vec3<S>| {
-        let length = S::length(normal.to_array());
-        length.plus(length) > S::ONE
-    };
     // By more than an eighth: the sign alone would also tell of a tangent whose normal was rounded.
     let is_away = |normal: Vec3<S>| {
         let along = (0..3).fold(normal.dot(line.direction), |along, _| along.plus(along));
         along > line.direction.max_abs()
     };
+    let is_fine = |normal: Vec3<S>| {
+        let length = S::length(normal.to_array());
+        length.minus(S::ONE).abs() < S::from_ratio(1, 16) && !is_away(normal)
+    };
     let first @ [_, normal] = seen(t);
+    if is_fine(normal) {
+        return first;
+    }
+    // Or about zero: near an oblique axis, what is left of the way from there is rounding errors.
+    let is_some = |normal: Vec3<S>| {
+        let length = S::length(normal.to_array());
+        length.plus(length) > S::ONE
+    };
     let [point, normal] = if is_some(normal) && !is_away(normal) {
         first
     } else {
         seen(if inside { t.negated().next_below().negated() } else { t.next_below() })
     };
-    let is_unit = S::length(normal.to_array()).minus(S::ONE).abs() < S::from_ratio(1, 16);
-    if is_unit && !is_away(normal) {
-        return [point, normal];
-    }
     // Of a few units, a solid has no normals of its own: the nearest one that doesn't point away.
     let of_length_1 = |v: Vec3<S>| Vec3::from(S::with_length(v.to_array(), S::ONE));
     let towards_start = of_length_1(-line.direction);
-    let normal = of_length_1(normal);
-    let across = normal - towards_start * normal.dot(towards_start);
+    let unit = of_length_1(normal);
+    let across = unit - towards_start * unit.dot(towards_start);
     match () {
-        () if !is_away(normal) && normal != Vec3::ZERO => [point, normal],
+        () if is_fine(normal) => [point, normal],
+        () if !is_away(unit) && unit != Vec3::ZERO => [point, unit],
         () if is_some(across) => [point, of_length_1(across)],
         () => [point, towards_start],
     }
