@@ -367,7 +367,11 @@ impl Views {
         }
         let eye = vector(self.along.map(|way| -way * self.far));
         if let Ok(camera) = Perspective::look_at(eye, Vec3::ZERO, up(), S::ONE) {
-            crossings += check_walks((solid, all), &camera.rays(self.size), self.size)?;
+            let rays = camera.rays(self.size);
+            // Pictures refuse directions that a grid has no room for.
+            if rays.fits(self.size.height()) {
+                crossings += check_walks((solid, all), &rays, self.size)?;
+            }
         }
         Ok(crossings)
     }
