@@ -288,8 +288,11 @@ impl Views {
             crossings += check_walks((solid, all), &camera.rays(self.size), self.size)?;
         }
         let eye = vector(self.along.map(|way| -way * self.far));
-        if let Ok(camera) = Perspective::look_at(eye, Vec3::ZERO, up(), S::ONE) {
-            crossings += check_walks((solid, all), &camera.rays(self.size), self.size)?;
+        let camera = Perspective::look_at(eye, Vec3::ZERO, up(), S::ONE);
+        let rays = camera.ok().map(|camera| camera.rays(self.size));
+        // Others are no pictures: see `Rays::fits`.
+        if let Some(rays) = rays.filter(|rays| rays.fits(self.size.height())) {
+            crossings += check_walks((solid, all), &rays, self.size)?;
         }
         Ok(crossings)
     }
