@@ -6,10 +6,14 @@
 //! last coordinate counts negative. The discriminant b² − ac is a sum of squares of minors of Q and M.
 //!
 //! Along a coordinate axis all is exact: L ≤ 2²⁹, |q| and a line's heights are below 2³¹, |m| ≤ 2³¹ and
-//! radii ≤ 2²⁸, so no vector is longer than 2⁶¹. Along others the coordinates have 28 bits more. They are
-//! rounded to as many as L and ΔR have, so that no vector is longer than 2⁶¹ there either: a unit of these is 2⁻²⁹
-//! units of the grid, or less. Products are below 2¹²³, the discriminant 2²⁴⁶, and `a t²` for a fraction t
-//! whose parts have 60 bits is, too.
+//! radii are ≤ 2²⁸, so neither vector is longer than 2⁶¹·⁵. Along other axes the coordinates have 28 bits
+//! more. There they are rounded by about as many bits as the larger of L and ΔR has, so that Q and M are no
+//! longer either. Of that larger one times a length, 2⁻²⁸ units of the grid are left of the rounding: a
+//! parameter is off by far less than the half unit that it is rounded by at the end, but where a line grazes
+//! the wall by as little as that.
+//!
+//! So products are below 2¹²³ and the discriminant is below 2²⁴⁶, and so is `a t²` for a fraction t whose
+//! parts have 60 bits.
 //!
 //! In pictures no coordinate has more than 31 bits, M is not longer than 2³¹ and Q not than 2³²: the
 //! discriminant, and `a t²` with parameters of 32 bits and a half, are below 2¹²⁷.
@@ -120,6 +124,10 @@ pub(in crate::quadric) fn conic<S: FixedPoint>(conic: &Conic<S>) -> Option<[S; 2
     let ([x, y, radius], [dx, dy, growth]) =
         (conic.from.map(S::to_bits), conic.step.map(S::unit_bits));
     let [q, m] = [[x, y, 0, radius], [dx, dy, 0, growth]].map(|v| v.map(i64::from));
+    // No picture that fits the number type has longer ones.
+    if m.into_iter().map(|part| part.unsigned_abs().pow(2)).sum::<u64>() > 1 << 62 {
+        return None;
+    }
     // Q is in units of the grid and M in those of directions, so a root is, too.
     nappe(&quadratic::<i128>(q, m), m[3], 28)
 }

@@ -226,7 +226,9 @@ impl<S: Scalar> Cone<S> {
         let middle = low + half + shift - caps.normal.dot_wide(taper.base.wide());
         let to_rim = |along: S::Wide, radius: S::Wide| (along * along + radius * radius).sqrt();
         let radius = to_rim(half + shift, first).max(to_rim(half - shift, last));
-        (taper.base.wide() + caps.normal.wide() * middle, radius)
+        let center = taper.base.wide() + caps.normal.wide() * middle;
+        // Rounded to the number type, both may be off; and a ray that passes a tip may meet it.
+        (center, radius + S::uncertainty(center.max_abs() + radius) + S::ROUNDING.wide())
     }
 }
 
@@ -253,9 +255,7 @@ impl<S: Scalar> Solid for Cone<S> {
 
     fn bounds(&self) -> Bounds<S> {
         let (center, radius) = self.bounding_ball();
-        // Rounded to the number type, both may be off.
-        let room = S::uncertainty(center.max_abs() + radius) + S::ROUNDING.wide();
-        Bounds::Ball { center: center.map(S::from_wide), radius: S::from_wide(radius + room) }
+        Bounds::Ball { center: center.map(S::from_wide), radius: S::from_wide(radius) }
     }
 
     fn onto(&self, face: Face, near: Vec3<S>) -> Vec3<S> {
