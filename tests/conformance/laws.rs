@@ -9,7 +9,7 @@ use crate::number::{Tested, between, coordinates, ray, rod, spans, vector};
 use proptest::prelude::*;
 use scancsg::geom::{Line, Pose, Ray, Vec3, vec3};
 use scancsg::solid::{
-    Cylinder, Difference, Intersection, Placed, RayCast, Shape, Slab, Solid, Sphere, Union,
+    Cylinder, Difference, Intersection, Placed, RayCast, Shape, Slab, Solid, Sphere, Torus, Union,
 };
 use scancsg::span::{Face, SpanList, SpanStack};
 
@@ -37,12 +37,13 @@ enum Primitive<S: Tested> {
     Cylinder(Cylinder<S>),
     Slab(Slab<S>),
     Sphere(Sphere<S>),
+    Torus(Torus<S>),
 }
 
 impl<S: Tested> Shape for Primitive<S> {
     type Scalar = S;
-    const SPANS: usize = 1;
-    const STACK: usize = 1;
+    const SPANS: usize = 2;
+    const STACK: usize = 2;
     const FACES: u16 = 3;
 }
 
@@ -52,6 +53,7 @@ impl<S: Tested> Solid for Primitive<S> {
             Self::Cylinder(solid) => solid.spans(line, first, stack),
             Self::Slab(solid) => solid.spans(line, first, stack),
             Self::Sphere(solid) => solid.spans(line, first, stack),
+            Self::Torus(solid) => solid.spans(line, first, stack),
         }
     }
 
@@ -60,6 +62,7 @@ impl<S: Tested> Solid for Primitive<S> {
             Self::Cylinder(solid) => solid.normal(face, at),
             Self::Slab(solid) => solid.normal(face, at),
             Self::Sphere(solid) => solid.normal(face, at),
+            Self::Torus(solid) => solid.normal(face, at),
         }
     }
 }
@@ -103,6 +106,9 @@ fn primitive<S: Tested>() -> BoxedStrategy<Primitive<S>> {
             }),
         1 => (point(), size())
             .prop_map(|(center, radius)| Primitive::Sphere(S::sphere(center, radius).unwrap())),
+        1 => (point(), point(), size::<S>(), size()).prop_filter_map("no torus", |(at, axis, one, other)| {
+            S::torus(at, axis, [one.max(other), one.min(other)]).ok().map(Primitive::Torus)
+        }),
     ]
     .boxed()
 }

@@ -23,4 +23,5 @@ mod pictures;
 mod rows;
 mod smooth;
 mod spans;
+mod tori;
 mod walks;

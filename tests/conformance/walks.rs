@@ -9,7 +9,7 @@ use scancsg::geom::{Line, OrthographicRays, PerspectiveRays, Pose, Rays, Vec3};
 use scancsg::render::{Camera, Orthographic, Perspective, Size};
 use scancsg::scan::{ColumnRun, Empty, Leaf, Scan};
 use scancsg::solid::{
-    Cylinder, Difference, Intersection, Painted, Placed, Rgb, Slab, Solid, Sphere, Union,
+    Cylinder, Difference, Intersection, Painted, Placed, Rgb, Slab, Solid, Sphere, Torus, Union,
 };
 use scancsg::span::walk::{Cold, Hot, Path, Step};
 use scancsg::span::{Crossing, Face, Shape, Span, SpanList, SpanStack};
@@ -26,12 +26,12 @@ thread_local! {
     static PIXEL: Cell<(i32, i32, u32)> = const { Cell::new((0, 0, 0)) };
 }
 
-/// A leaf, asked for its span in a pixel.
+/// A leaf, asked for its spans in a pixel.
 struct ListedLeaf {
     /// The first of its faces among all of the tree, and their number.
     first: u16,
     faces: u16,
-    /// Sets an `Option<Span<S>>` of the right number type.
+    /// Sets a `Vec<Span<S>>` of the right number type.
     set: Ask,
 }
 
@@ -52,12 +52,12 @@ impl<T: Shape> Shape for Listed<T> {
 
 impl<T: Solid> Solid for Listed<T> {
     fn spans(&self, _: &Line<T::Scalar>, first: Face, stack: &mut SpanStack<'_, T::Scalar>) {
-        let mut span: Option<Span<T::Scalar>> = None;
+        let mut spans: Vec<Span<T::Scalar>> = Vec::new();
         LEAVES.with_borrow(|leaves| {
             let leaf = leaves.iter().find(|leaf| leaf.first == first.0).unwrap();
-            (leaf.set)(&mut span);
+            (leaf.set)(&mut spans);
         });
-        if let Some(Span { enter, exit }) = span {
+        for Span { enter, exit } in spans {
             let at = |crossing: Crossing<_>| Crossing {
                 face: Face(first.0 + crossing.face.0),
                 ..crossing
@@ -73,7 +73,7 @@ impl<T: Solid> Solid for Listed<T> {
 
 impl<R, T> Scan<R> for Listed<T>
 where
-    T: Leaf<R, Spans = [Span<<T as Shape>::Scalar>; 1]> + Copy + 'static,
+    T: Leaf<R, Spans: AsMut<[Span<<T as Shape>::Scalar>]>> + Copy + 'static,
     R: 'static,
 {
     type View = Option<()>;
@@ -84,17 +84,19 @@ where
         let leaf = self.0;
         let view = leaf.view(rays);
         let held = RefCell::new((i32::MIN, T::Row::EMPTY));
-        let set = move |span: &mut dyn Any| {
+        let set = move |spans: &mut dyn Any| {
             let (x, y, columns) = PIXEL.get();
             let (of_row, row) = &mut *held.borrow_mut();
             if *of_row != y {
                 (*of_row, *row) = (y, T::Row::EMPTY);
                 let _ = leaf.row(&view, y, columns, row);
             }
-            let mut spans = [Span::whole_line(Face(0))];
-            leaf.spans(&view, row, x, &mut spans);
-            let [Span { enter, exit }] = spans;
-            *span.downcast_mut().unwrap() = Span::new(enter, exit);
+            let mut kept = T::Spans::EMPTY;
+            kept.as_mut().fill(Span::whole_line(Face(0)));
+            leaf.spans(&view, row, x, &mut kept);
+            let with_length =
+                kept.as_mut().iter().filter_map(|span| Span::new(span.enter, span.exit));
+            *spans.downcast_mut::<Vec<Span<T::Scalar>>>().unwrap() = with_length.collect();
         };
         LEAVES.with_borrow_mut(|leaves| {
             let first = leaves.last().map_or(0, |leaf| leaf.first + leaf.faces);
@@ -249,6 +251,10 @@ where
     W: Solid<Scalar = S> + Scan<R>,
 {
     let (columns, height) = (size.width().into(), size.height());
+    // No picture is made of rays beyond the number type's range.
+    if !rays.fits(height) {
+        return Ok(0);
+    }
     LEAVES.with_borrow_mut(Vec::clear);
     let mut view = W::View::EMPTY;
     all.view(rays, &mut view);
@@ -307,31 +313,34 @@ fn views() -> impl Strategy<Value = Views> {
     })
 }
 
-/// What a tree is built of: rods, balls and slabs, and a group of rods drilled by another one.
+/// What a tree is built of: rods, balls, slabs and tori, and a group of rods drilled by another one.
 #[derive(Debug, Clone)]
-struct Leaves<R, B, L> {
+struct Leaves<R, B, L, O> {
     r: [R; 8],
     b: [B; 4],
     s: [L; 3],
+    o: [O; 2],
     bored: Difference<[R; 2], [R; 2]>,
 }
 
-impl<R: Copy, B, L> Leaves<R, B, L> {
-    fn new(r: [R; 8], b: [B; 4], s: [L; 3]) -> Self {
-        Self { r, b, s, bored: Difference::new([r[0], r[1]], [r[2], r[3]]) }
+impl<R: Copy, B, L, O> Leaves<R, B, L, O> {
+    fn new(r: [R; 8], b: [B; 4], s: [L; 3], o: [O; 2]) -> Self {
+        Self { r, b, s, o, bored: Difference::new([r[0], r[1]], [r[2], r[3]]) }
     }
 }
 
-type Drawn<S> = Leaves<Cylinder<S>, Sphere<S>, Slab<S>>;
+type Drawn<S> = Leaves<Cylinder<S>, Sphere<S>, Slab<S>, Torus<S>>;
 
 impl<S: Tested> Drawn<S> {
     fn drawn(
         rod: impl Strategy<Value = Cylinder<S>>,
         ball: impl Strategy<Value = Sphere<S>>,
         slab: impl Strategy<Value = Slab<S>>,
+        ring: impl Strategy<Value = Torus<S>>,
     ) -> impl Strategy<Value = Self> {
-        use proptest::array::{uniform3, uniform4, uniform8};
-        (uniform8(rod), uniform4(ball), uniform3(slab)).prop_map(|(r, b, s)| Self::new(r, b, s))
+        use proptest::array::{uniform2, uniform3, uniform4, uniform8};
+        (uniform8(rod), uniform4(ball), uniform3(slab), uniform2(ring))
+            .prop_map(|(r, b, s, o)| Self::new(r, b, s, o))
     }
 
     /// Trees of all operations; operands of each kind on either side; groups of primitives and of trees,
@@ -339,7 +348,12 @@ impl<S: Tested> Drawn<S> {
     fn check(&self, views: &Views) -> Result<u32, TestCaseError> {
         let shift = S::translation(vector([0.5, -1.0, 0.5])).unwrap();
         let pose = Pose::rotation_z(S::near(0.5)).and_then(|turn| turn.then(&shift)).unwrap();
-        let all = Leaves::new(self.r.map(Listed), self.b.map(Listed), self.s.map(Listed));
+        let all = Leaves::new(
+            self.r.map(Listed),
+            self.b.map(Listed),
+            self.s.map(Listed),
+            self.o.map(Listed),
+        );
         // A tree of these, and the same of those that are listed.
         macro_rules! check {
             (|$of:ident| $($tree:expr;)+) => {
@@ -370,6 +384,8 @@ impl<S: Tested> Drawn<S> {
             Intersection::new(of.b, [of.r[0] | of.r[1], of.r[2] | of.r[3]]);
             painted(of.r[0]) | (painted(of.r[1]) - Placed::new(&of.bored, pose));
             Placed::new(&of.r[0], pose) & (of.b[0] | (Placed::new(&of.b[1], pose) - of.s[0]));
+            (of.o[0] - of.r[0]) | (of.b[0] - (of.o[1] & of.s[0]));
+            Difference::new(of.o, [of.r[0], of.r[1]]) | (painted(of.o[0]) & Placed::new(&of.o[1], pose));
         };
         Ok(counts.into_iter().sum())
     }
@@ -399,7 +415,13 @@ fn trees_of_whatever_touches<S: Tested>() {
         let [low, high] = [low, low + f64::from(wide) / 2.0].map(S::near);
         S::slab_along(axis, low, high).unwrap()
     });
-    check_trees(Drawn::drawn(rod, round, slab));
+    let ring = (0..3usize, [grid(3), grid(3), grid(3)], 2..5i32, 1..5i32).prop_map(
+        |(axis, center, ring, thin)| {
+            let radii = [ring, (ring - thin).max(1)].map(|halves| S::near(f64::from(halves) / 2.0));
+            S::torus_along(axis, vector(center), radii).unwrap()
+        },
+    );
+    check_trees(Drawn::drawn(rod, round, slab, ring));
 }
 
 /// Along any direction, anywhere.
@@ -413,7 +435,12 @@ fn trees_of_whatever_lies_askew<S: Tested>() {
     let slab = (direction(), -1.0..0.5f64, 0.2..1.5f64).prop_map(|(normal, low, wide)| {
         S::slab(vector(normal), S::near(low), S::near(low + wide)).unwrap()
     });
-    check_trees(Drawn::drawn(rod, round, slab));
+    let ring = (place(), direction(), 0.3..1.4f64, 0.05..0.95f64).prop_map(
+        |(center, axis, ring, part)| {
+            S::torus(vector(center), vector(axis), [ring, ring * part].map(S::near)).unwrap()
+        },
+    );
+    check_trees(Drawn::drawn(rod, round, slab, ring));
 }
 
 fn check_trees<S: Tested>(leaves: impl Strategy<Value = Drawn<S>>) {
