@@ -1,4 +1,4 @@
-//! Where lines meet cylinder walls, balls and planes.
+//! Where lines meet cylinder walls, balls, tori and planes.
 //!
 //! Formulas know numbers, not solids. `meet.rs` has the questions. It takes the body for the kind of
 //! number:
@@ -10,7 +10,7 @@
 //! | torus | [`Ring`] | `quartic.rs`, in `f64` | the same |
 //! | two parallel planes | [`Planes`] | `float/planes.rs` | `fixed/planes.rs` |
 //!
-//! Floating point computes in twice the working precision what would cancel. Fixed point computes in
+//! But for tori, floating point computes in twice the working precision what would cancel, and fixed point in
 //! integers of 128 or 256 bits and rounds each parameter once.
 
 mod ball;
