@@ -10,8 +10,9 @@
 //! | torus | [`Ring`] | `quartic.rs`, in `f64` | the same |
 //! | two parallel planes | [`Planes`] | `float/planes.rs` | `fixed/planes.rs` |
 //!
-//! But for tori, floating point computes in twice the working precision what would cancel, and fixed point in
-//! integers of 128 or 256 bits and rounds each parameter once.
+//! Tori are computed in `f64` for all number types. For the other families, floating point computes in twice
+//! the working precision what would cancel. Fixed point computes in integers of 128 or 256 bits and rounds
+//! each parameter once.
 
 mod ball;
 mod fixed;
