@@ -14,7 +14,7 @@ use testkit::number::{Tested, coordinates, vector};
 use testkit::quartic::{Quartic, Torus as Model};
 use testkit::random::Random;
 use testkit::ulp::percentiles;
-use testkit::vector::{V, add, along, cross, dot, sub, times, unit};
+use testkit::vector::{V, add, along, cross, sub, times, unit};
 
 fn rays() -> usize {
     std::env::var("TORUS_RAYS").ok().and_then(|count| count.parse().ok()).unwrap_or(1000)
@@ -37,6 +37,8 @@ enum Kind {
     FromSurface,
     /// A tube of a ten-thousandth of the ring.
     Thin,
+    /// Through a hole of 10⁻¹ to 10⁻⁴ of the ring, or beside it.
+    Pinhole,
 }
 
 struct Case<S: Scalar> {
@@ -62,7 +64,12 @@ fn power(random: &mut Random, low: f64, high: f64) -> f64 {
 
 fn draw<S: Tested>(random: &mut Random, kind: Kind, is_oblique: bool) -> Option<Case<S>> {
     let ring = power(random, -0.5, 0.5);
-    let tube = ring * if let Kind::Thin = kind { 1e-4 } else { random.between(0.02, 0.95) };
+    let part = match kind {
+        Kind::Thin => 1e-4,
+        Kind::Pinhole => 1.0 - power(random, -4.0, -1.0),
+        _ => random.between(0.02, 0.95),
+    };
+    let tube = ring * part;
     let center = times(random.direction(), random.between(0.0, 3.0));
     let axis: V = if is_oblique {
         random.direction()
@@ -110,6 +117,11 @@ fn draw<S: Tested>(random: &mut Random, kind: Kind, is_oblique: bool) -> Option<
                 axis,
             );
             (at, sub(inside, at), 0.0)
+        }
+        Kind::Pinhole => {
+            let side = unit(cross(axis, any));
+            let at = times(side, (ring - tube) * random.between(0.0, 1.5));
+            (at, add(axis, times(random.direction(), 0.1)), ring * random.between(2.5, 10.0))
         }
         Kind::FromSurface => (surface, any, 0.0),
     };
@@ -231,6 +243,7 @@ kinds! {
         from_the_hole Kind::FromHole, limits::TORUS_F32;
         from_the_surface Kind::FromSurface, limits::TORUS_F32;
         thin Kind::Thin, limits::TORUS_F32;
+        through_a_pinhole Kind::Pinhole, limits::TORUS_F32;
     }
     f64 f64 {
         ordinary Kind::Ordinary, limits::TORUS_F64;
@@ -241,7 +254,8 @@ kinds! {
         from_inside Kind::FromInside, limits::TORUS_F64;
         from_the_hole Kind::FromHole, limits::TORUS_F64;
         from_the_surface Kind::FromSurface, limits::TORUS_F64;
-        thin Kind::Thin, limits::TORUS_F64;
+        thin Kind::Thin, limits::TORUS_F64_GRAZING;
+        through_a_pinhole Kind::Pinhole, limits::TORUS_F64_GRAZING;
     }
     i16f16 I16F16 {
         ordinary Kind::Ordinary, limits::TORUS_FIXED;
@@ -252,5 +266,6 @@ kinds! {
         from_inside Kind::FromInside, limits::TORUS_FIXED;
         from_the_hole Kind::FromHole, limits::TORUS_FIXED;
         from_the_surface Kind::FromSurface, limits::TORUS_FIXED;
+        through_a_pinhole Kind::Pinhole, limits::TORUS_FIXED;
     }
 }

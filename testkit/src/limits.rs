@@ -69,7 +69,7 @@ pub const CYLINDER_BOUND: f64 = 2.0;
 /// Parameters of lines at a torus, in ulps or LSB: 99th percentile and maximum.
 pub const TORUS_F32: [f64; 2] = [0.6, 1.0];
 pub const TORUS_F64: [f64; 2] = [64.0, 4096.0];
-pub const TORUS_F64_GRAZING: [f64; 2] = [512.0, 16_384.0];
+pub const TORUS_F64_GRAZING: [f64; 2] = [1024.0, 16_384.0];
 pub const TORUS_FIXED: [f64; 2] = [0.6, 1.0];
 /// A torus's hit points off their surface, for coordinates below 4.
 pub const TORUS_POINT: Units = Units::new(8.0, 3.0);
