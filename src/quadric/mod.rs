@@ -1,4 +1,4 @@
-//! Where lines meet cylinder walls, balls, planes and what planes bound.
+//! Where lines meet cylinder walls, cones, balls, tori, planes and what planes bound.
 //!
 //! Formulas know numbers, not solids. `meet.rs` has the questions. It takes the body for the kind of
 //! number:
@@ -13,8 +13,9 @@
 //! | box | [`Corners`] | `float/planes.rs` | `fixed/planes.rs` |
 //! | half-spaces | slices of [`HalfSpace`] | `float/planes.rs` | `fixed/planes.rs` |
 //!
-//! Floating point computes in twice the working precision what would cancel. Fixed point computes in
-//! integers of 128 or 256 bits and rounds each parameter once.
+//! Tori are computed in `f64` for all number types. For the other families, floating point computes in twice
+//! the working precision what would cancel. Fixed point computes in integers of 128 or 256 bits and rounds
+//! each parameter once.
 
 mod ball;
 mod corners;

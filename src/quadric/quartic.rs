@@ -9,16 +9,24 @@
 //!
 //! q and m are p and the direction across the axis. F has one lowest point where s < 0 and one where
 //! s > 0, at most. They are roots of a cubic that is convex on either side, so Newton's steps from the
-//! end of the bounding ball can't pass them. Between the lowest points and the ends of the ball, each
-//! root of F has a bracket of its own. It is a root of g, which has no large terms that cancel, by
-//! Halley's steps, and by halves where these leave the bracket. All loops are bounded.
+//! end of the bounding ball can't pass them. Whether the line is inside there, and outside at the highest
+//! point between them, decides how many spans it has: that is the sign of g, in which no large terms
+//! cancel. Between a lowest point inside and a point outside is one root. F is expanded about the lowest
+//! point, with g there, so that the root of a grazing line keeps its digits. All loops are bounded.
 
 use crate::numeric::Native;
 use crate::scalar::{Double, Real, two_sum};
 use core::marker::PhantomData;
 
-/// Steps to a root at most. Newton's and Halley's take three to six, but where roots coincide.
+/// Newton's steps to a lowest or highest point at most. Five are usual; where two of them nearly
+/// coincide, each step leaves half of the way.
 const STEPS: u32 = 48;
+
+/// Newton's steps from a lowest point to a crossing at most. Four are usual.
+const FEW_STEPS: u32 = 8;
+
+/// Of a bracket, where these are not enough.
+const HALVES: u32 = 60;
 
 type Vector = [f64; 3];
 
@@ -37,12 +45,10 @@ pub(crate) struct ReadyTorus<S> {
     of: PhantomData<S>,
 }
 
-/// A value of g, with half of its derivatives.
+/// A value of g, at a distance from the axis.
 struct Value {
     g: f64,
     rho: f64,
-    half_slope: f64,
-    half_bend: f64,
 }
 
 /// A line as a torus sees it: counted by its length, from its point nearest to the centre.
@@ -134,17 +140,9 @@ fn foot(from_center: Vector, direction: Vector, square: f64) -> (Vector, f64) {
 impl<S> Path<'_, S> {
     fn value(&self, s: f64) -> Value {
         let [z, x, y] = [0, 1, 2].map(|i| self.p[i] + s * self.d[i]);
-        let [dz, dx, dy] = self.d;
         let rho = (x * x + y * y).root();
         let off = rho - self.torus.ring;
-        let inverse = 1.0 / rho;
-        let way = (x * dx + y * dy) * inverse;
-        Value {
-            g: z * z + (off - self.torus.tube) * (off + self.torus.tube),
-            rho,
-            half_slope: z * dz + off * way,
-            half_bend: dz * dz + way * way + off * inverse * (dx * dx + dy * dy - way * way),
-        }
+        Value { g: z * z + (off - self.torus.tube) * (off + self.torus.tube), rho }
     }
 
     fn chords(&self, [low, high]: [f64; 2]) -> [Option<[f64; 2]>; 2] {
@@ -221,42 +219,26 @@ impl<S> Path<'_, S> {
         let slope = 4.0 * ((inside * inside + self.a) * inside + self.b);
         let (skew, bend) = (4.0 * inside, 2.0 * (3.0 * inside * inside + self.a));
         let mut way = (depth / bend).root().copysign(outside - inside);
-        let mut is_near = false;
-        for _ in 0..8 {
+        let is_between = |s: f64, [one, other]: [f64; 2]| one.min(other) < s && s < one.max(other);
+        for _ in 0..FEW_STEPS {
             let value = (((way + skew) * way + bend) * way + slope) * way - depth;
             let ascent = ((4.0 * way + 3.0 * skew) * way + 2.0 * bend) * way + slope;
             let step = value / ascent;
             way -= step;
             // Newton's step leaves about the square of this one.
-            is_near = step.abs() <= way.abs() * (1.0 / (1u64 << 27) as f64);
-            if is_near {
+            if step.abs() <= way.abs() * (1.0 / (1u64 << 27) as f64) {
+                if is_between(inside + way, [inside, outside]) {
+                    return inside + way;
+                }
                 break;
             }
         }
+        // By halves: where F is flat, and where it is so short of digits that steps lead elsewhere.
         let [mut near, mut far] = [inside, outside];
-        let mut s = inside + way;
-        let is_between =
-            |near: f64, far: f64, s: f64| (near < s && s < far) || (far < s && s < near);
-        if is_near && size_of::<S>() < size_of::<f64>() && is_between(near, far, s) {
-            return s;
+        for _ in 0..HALVES {
+            let middle = 0.5 * (near + far);
+            if self.value(middle).g < 0.0 { near = middle } else { far = middle }
         }
-        for _ in 0..STEPS {
-            if !is_between(near, far, s) {
-                s = 0.5 * (near + far);
-            }
-            let Value { g, half_slope, half_bend, .. } = self.value(s);
-            if g < 0.0 {
-                near = s
-            } else {
-                far = s
-            }
-            let step = 2.0 * g * half_slope / (4.0 * half_slope * half_slope - g * half_bend);
-            s -= step;
-            // Halley's step leaves about the cube of this one.
-            if step.abs() <= (s - inside).abs() * (1.0 / (1u64 << 18) as f64) {
-                return s;
-            }
-        }
-        0.5 * (near + far)
+        far
     }
 }

@@ -29,6 +29,12 @@ pub enum Solid {
         low: f64,
         high: f64,
     },
+    Torus {
+        center: V,
+        axis: V,
+        ring: f64,
+        tube: f64,
+    },
     Any(Vec<Solid>),
     All(Vec<Solid>),
     Minus(Box<Solid>, Box<Solid>),
@@ -78,6 +84,9 @@ impl Solid {
             Self::Slab { normal, low, high } => {
                 Self::Slab { normal: *normal, low: low - by, high: high + by }
             }
+            Self::Torus { center, axis, ring, tube } => {
+                Self::Torus { center: *center, axis: *axis, ring: *ring, tube: tube + by }
+            }
             Self::Any(parts) => Self::Any(all(parts)),
             Self::All(parts) => Self::All(all(parts)),
             Self::Minus(left, right) => {
@@ -104,6 +113,9 @@ impl Solid {
             }
             Self::Sphere { center, radius } => length(sub(p, *center)) <= *radius,
             Self::Slab { normal, low, high } => (*low..=*high).contains(&dot(p, unit(*normal))),
+            Self::Torus { center, axis, ring, tube } => {
+                length(from_ring(sub(p, *center), unit(*axis), *ring)) <= *tube
+            }
             Self::Any(parts) => parts.iter().any(|part| part.contains(p)),
             Self::All(parts) => parts.iter().all(|part| part.contains(p)),
             Self::Minus(left, right) => left.contains(p) && !right.contains(p),
@@ -141,6 +153,16 @@ impl Solid {
                 let normal = unit(*normal);
                 plane(ray, times(normal, -1.0), -low, found);
                 plane(ray, normal, *high, found);
+            }
+            Self::Torus { center, axis, ring, tube } => {
+                let way = |t| from_ring(sub(ray.at(t), *center), unit(*axis), *ring);
+                let speed = length(ray.direction);
+                let middle = dot(sub(*center, ray.origin), ray.direction) / (speed * speed);
+                let half = (ring + tube) / speed;
+                let distance = |t| (length(way(t)) - tube) / speed;
+                let mut roots = Vec::new();
+                zeros(&distance, [middle - half, middle + half], &mut roots);
+                found.extend(roots.into_iter().map(|t| Crossing { t, normal: unit(way(t)) }));
             }
             Self::Any(parts) | Self::All(parts) => {
                 parts.iter().for_each(|part| part.candidates(ray, found));
@@ -181,6 +203,36 @@ impl Solid {
         let faces_away = dot(seen.normal, ray.direction) > 0.0;
         let normal = if faces_away { times(seen.normal, -1.0) } else { seen.normal };
         Some(Crossing { normal, ..seen })
+    }
+}
+
+/// The way to a point from the nearest point of a circle around (0, 0, 0).
+fn from_ring(u: V, axis: V, ring: f64) -> V {
+    let across = sub(u, times(axis, dot(u, axis)));
+    // On the axis, all points of the circle are as far.
+    let far = length(across).max(1e-300);
+    sub(u, times(across, ring / far))
+}
+
+/// Where a function changes its sign that changes by no more than its argument does: so halves that are
+/// far from zero in their middle have none.
+fn zeros(of: &impl Fn(f64) -> f64, [low, high]: [f64; 2], found: &mut Vec<f64>) {
+    let (middle, half) = ((low + high) / 2.0, (high - low) / 2.0);
+    if of(middle).abs() > half * (1.0 + 1e-9) {
+        return;
+    }
+    if half > 1e-6 {
+        zeros(of, [low, middle], found);
+        zeros(of, [middle, high], found);
+        return;
+    }
+    let ([mut low, mut high], is_inside) = ([low, high], of(low) < 0.0);
+    if is_inside != (of(high) < 0.0) {
+        for _ in 0..40 {
+            let middle = (low + high) / 2.0;
+            if (of(middle) < 0.0) == is_inside { low = middle } else { high = middle }
+        }
+        found.push((low + high) / 2.0);
     }
 }
 

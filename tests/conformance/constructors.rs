@@ -3,7 +3,7 @@
 
 use proptest::prelude::*;
 use scancsg::geom::{Axis, Vec3};
-use scancsg::solid::{Cone, Cylinder, Slab, Sphere};
+use scancsg::solid::{Cone, Cylinder, Slab, Sphere, Torus};
 use testkit::number::Tested;
 
 for_every_number!(constructors_of_any_number_are_those_of_constants,);
@@ -29,6 +29,8 @@ fn constructors_of_any_number_are_those_of_constants<S: Tested>() {
         prop_assert_eq!(Sphere::<S>::around(p, d), S::sphere(p, d));
         prop_assert_eq!(Slab::<S>::across(axis, a, b), S::slab_along(axis as usize, a, b));
         prop_assert_eq!(Slab::<S>::facing(p, d, e), S::slab(p, d, e));
+        prop_assert_eq!(Torus::<S>::along(axis, p, d, e), S::torus_along(axis as usize, p, [d, e]));
+        prop_assert_eq!(Torus::<S>::around(p, q, a, b), S::torus(p, q, [a, b]));
     });
     assert!(Cylinder::<S>::along(Axis::Y, [S::ZERO; 2], S::ONE, S::ZERO, S::ONE).is_ok());
 }

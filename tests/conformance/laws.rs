@@ -10,7 +10,7 @@ use proptest::prelude::*;
 use scancsg::geom::{Line, Pose, Ray, Vec3, vec3};
 use scancsg::solid::{
     Cone, Cylinder, Difference, Intersection, Placed, RayCast, Scaled, Shape, Slab, Solid, Sphere,
-    Union,
+    Torus, Union,
 };
 use scancsg::span::{Face, SpanList, SpanStack};
 
@@ -40,12 +40,13 @@ enum Primitive<S: Tested> {
     Slab(Slab<S>),
     Sphere(Sphere<S>),
     Scaled(Scaled<Sphere<S>>),
+    Torus(Torus<S>),
 }
 
 impl<S: Tested> Shape for Primitive<S> {
     type Scalar = S;
-    const SPANS: usize = 1;
-    const STACK: usize = 1;
+    const SPANS: usize = 2;
+    const STACK: usize = 2;
     const FACES: u16 = 3;
 }
 
@@ -57,6 +58,7 @@ impl<S: Tested> Solid for Primitive<S> {
             Self::Slab(solid) => solid.spans(line, first, stack),
             Self::Sphere(solid) => solid.spans(line, first, stack),
             Self::Scaled(solid) => solid.spans(line, first, stack),
+            Self::Torus(solid) => solid.spans(line, first, stack),
         }
     }
 
@@ -67,6 +69,7 @@ impl<S: Tested> Solid for Primitive<S> {
             Self::Slab(solid) => solid.normal(face, at),
             Self::Sphere(solid) => solid.normal(face, at),
             Self::Scaled(solid) => solid.normal(face, at),
+            Self::Torus(solid) => solid.normal(face, at),
         }
     }
 }
@@ -118,6 +121,9 @@ fn primitive<S: Tested>() -> BoxedStrategy<Primitive<S>> {
         1 => (point(), size(), [size::<S>(), size(), size()]).prop_map(|(center, radius, factors)| {
             let ball = S::sphere(center, radius).unwrap();
             Primitive::Scaled(Scaled::by(ball, factors).unwrap())
+        }),
+        1 => (point(), point(), size::<S>(), size()).prop_filter_map("no torus", |(at, axis, one, other)| {
+            S::torus(at, axis, [one.max(other), one.min(other)]).ok().map(Primitive::Torus)
         }),
     ]
     .boxed()

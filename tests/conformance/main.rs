@@ -28,4 +28,5 @@ mod secondary;
 mod smooth;
 mod spans;
 mod telephoto;
+mod tori;
 mod walks;

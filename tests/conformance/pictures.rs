@@ -20,7 +20,7 @@ use scancsg::render::{
     Camera, Depth, Gray8, Lambert, Orthographic, Perspective, Picture, Shader, Size, XRay,
 };
 use scancsg::solid::{
-    Cone, Cylinder, Difference, Intersection, RayCast, Scan, Slab, Solid, Sphere, Union,
+    Cone, Cylinder, Difference, Intersection, RayCast, Scan, Slab, Solid, Sphere, Torus, Union,
 };
 use scancsg::span::SpanList;
 
@@ -340,7 +340,7 @@ fn tee_covers_41937_pixels() {
 // Random scenes.
 
 type Part<S> = Difference<
-    Union<Union<[Cylinder<S>; 3], [Sphere<S>; 2]>, Cone<S>>,
+    Union<Union<Union<[Cylinder<S>; 3], [Sphere<S>; 2]>, Cone<S>>, Torus<S>>,
     Union<Union<[Cylinder<S>; 2], Intersection<Slab<S>, Sphere<S>>>, Cone<S>>,
 >;
 
@@ -386,6 +386,22 @@ fn sphere<S: Tested>() -> impl Strategy<Value = (Sphere<S>, ModelSolid)> {
     })
 }
 
+fn torus<S: Tested>() -> impl Strategy<Value = (Torus<S>, ModelSolid)> {
+    let axis = (point::<S>(), 0..4usize).prop_map(|(axis, along)| {
+        if along == 3 { axis } else { std::array::from_fn(|i| f64::from(u8::from(i == along))) }
+    });
+    (point::<S>(), axis, 0.4..1.5, 0.1..0.9).prop_filter_map(
+        "no axis",
+        |(center, axis, ring, part)| {
+            let radii: [S; 2] = [ring, ring * part].map(S::near);
+            let solid = S::torus(vector(center), vector(axis), radii).ok()?;
+            let [ring, tube] = radii.map(S::to_f64);
+            let model = ModelSolid::Torus { center, axis, ring, tube };
+            (caster::length(axis) > 0.1).then_some((solid, model))
+        },
+    )
+}
+
 fn slab<S: Tested>() -> impl Strategy<Value = (Slab<S>, ModelSolid)> {
     (point::<S>(), -1.0..1.0, 0.2..1.5).prop_filter_map("no normal", |(normal, low, width)| {
         let [low, high]: [S; 2] = [low, low + width].map(S::near);
@@ -397,14 +413,14 @@ fn slab<S: Tested>() -> impl Strategy<Value = (Slab<S>, ModelSolid)> {
 
 fn part<S: Tested>() -> BoxedStrategy<(Part<S>, ModelSolid)> {
     let cylinders = (cylinder(), cylinder(), cylinder(), cylinder(), cylinder());
-    (cylinders, (sphere(), sphere(), sphere()), slab(), (cone(), cone()))
-        .prop_map(|((a, b, c, d, e), (f, g, h), i, (j, k))| {
+    (cylinders, (sphere(), sphere(), sphere()), slab(), (cone(), cone(), torus()))
+        .prop_map(|((a, b, c, d, e), (f, g, h), i, (j, k, l))| {
             let solid = Difference::new(
-                Union::new(Union::new([a.0, b.0, c.0], [f.0, g.0]), j.0),
+                Union::new(Union::new(Union::new([a.0, b.0, c.0], [f.0, g.0]), j.0), l.0),
                 Union::new(Union::new([d.0, e.0], Intersection::new(i.0, h.0)), k.0),
             );
             let cut = ModelSolid::Any(vec![d.1, e.1, ModelSolid::All(vec![i.1, h.1]), k.1]);
-            let body = ModelSolid::Any(vec![a.1, b.1, c.1, f.1, g.1, j.1]);
+            let body = ModelSolid::Any(vec![a.1, b.1, c.1, f.1, g.1, j.1, l.1]);
             (solid, ModelSolid::Minus(Box::new(body), Box::new(cut)))
         })
         .boxed()

@@ -11,7 +11,7 @@ use scancsg::scalar::Scalar;
 use scancsg::scan::{ColumnRun, Empty, Leaf, Scan};
 use scancsg::solid::{
     Cone, Cuboid, Cylinder, Difference, Intersection, Painted, Placed, Polyhedron, Rgb, Scaled,
-    Slab, Solid, Sphere, Union,
+    Slab, Solid, Sphere, Torus, Union,
 };
 use scancsg::span::walk::{Cold, Hot, Path, Step};
 use scancsg::span::{Crossing, Face, Shape, Span, SpanList, SpanStack};
@@ -28,12 +28,12 @@ thread_local! {
     static PIXEL: Cell<(i32, i32, u32)> = const { Cell::new((0, 0, 0)) };
 }
 
-/// A leaf, asked for its span in a pixel.
+/// A leaf, asked for its spans in a pixel.
 struct ListedLeaf {
     /// The first of its faces among all of the tree, and their number.
     first: u16,
     faces: u16,
-    /// Sets an `Option<Span<S>>` of the right number type.
+    /// Sets a `Vec<Span<S>>` of the right number type.
     set: Ask,
 }
 
@@ -54,12 +54,12 @@ impl<T: Shape> Shape for Listed<T> {
 
 impl<T: Solid> Solid for Listed<T> {
     fn spans(&self, _: &Line<T::Scalar>, first: Face, stack: &mut SpanStack<'_, T::Scalar>) {
-        let mut span: Option<Span<T::Scalar>> = None;
+        let mut spans: Vec<Span<T::Scalar>> = Vec::new();
         LEAVES.with_borrow(|leaves| {
             let leaf = leaves.iter().find(|leaf| leaf.first == first.0).unwrap();
-            (leaf.set)(&mut span);
+            (leaf.set)(&mut spans);
         });
-        if let Some(Span { enter, exit }) = span {
+        for Span { enter, exit } in spans {
             let at = |crossing: Crossing<_>| Crossing {
                 face: Face(first.0 + crossing.face.0),
                 ..crossing
@@ -75,7 +75,7 @@ impl<T: Solid> Solid for Listed<T> {
 
 impl<R, T> Scan<R> for Listed<T>
 where
-    T: Leaf<R, Spans = [Span<<T as Shape>::Scalar>; 1]> + Copy + 'static,
+    T: Leaf<R, Spans: AsMut<[Span<<T as Shape>::Scalar>]>> + Copy + 'static,
     R: 'static,
 {
     type View = Option<()>;
@@ -86,17 +86,19 @@ where
         let leaf = self.0;
         let view = leaf.view(rays);
         let held = RefCell::new((i32::MIN, T::Row::EMPTY));
-        let set = move |span: &mut dyn Any| {
+        let set = move |spans: &mut dyn Any| {
             let (x, y, columns) = PIXEL.get();
             let (of_row, row) = &mut *held.borrow_mut();
             if *of_row != y {
                 (*of_row, *row) = (y, T::Row::EMPTY);
                 let _ = leaf.row(&view, y, columns, row);
             }
-            let mut spans = [Span::whole_line(Face(0))];
-            leaf.spans(&view, row, x, &mut spans);
-            let [Span { enter, exit }] = spans;
-            *span.downcast_mut().unwrap() = Span::new(enter, exit);
+            let mut kept = T::Spans::EMPTY;
+            kept.as_mut().fill(Span::whole_line(Face(0)));
+            leaf.spans(&view, row, x, &mut kept);
+            let with_length =
+                kept.as_mut().iter().filter_map(|span| Span::new(span.enter, span.exit));
+            *spans.downcast_mut::<Vec<Span<T::Scalar>>>().unwrap() = with_length.collect();
         };
         LEAVES.with_borrow_mut(|leaves| {
             let first = leaves.last().map_or(0, |leaf| leaf.first + leaf.faces);
@@ -327,6 +329,10 @@ where
     W: Solid<Scalar = S> + Scan<R>,
 {
     let (columns, height) = (size.width().into(), size.height());
+    // No picture is made of rays beyond the number type's range.
+    if !rays.fits(height) {
+        return Ok(0);
+    }
     LEAVES.with_borrow_mut(Vec::clear);
     let mut view = W::View::EMPTY;
     all.view(rays, &mut view);
@@ -392,11 +398,12 @@ fn views() -> impl Strategy<Value = Views> {
 /// What a tree is built of: rods, balls and slabs, scaled rods and balls, and a group of rods drilled by
 /// another one.
 #[derive(Debug, Clone)]
-struct Leaves<R, B, L, C, X, P, D, E> {
+struct Leaves<R, B, L, C, O, X, P, D, E> {
     r: [R; 8],
     b: [B; 4],
     s: [L; 3],
     c: [C; 3],
+    o: [O; 2],
     x: [X; 2],
     p: P,
     drum: D,
@@ -404,13 +411,13 @@ struct Leaves<R, B, L, C, X, P, D, E> {
     bored: Difference<[R; 2], [R; 2]>,
 }
 
-impl<R: Copy, B, L, C, X, P, D, E> Leaves<R, B, L, C, X, P, D, E> {
+impl<R: Copy, B, L, C, O, X, P, D, E> Leaves<R, B, L, C, O, X, P, D, E> {
     fn new(
-        (r, b, s, c): ([R; 8], [B; 4], [L; 3], [C; 3]),
+        (r, b, s, c, o): ([R; 8], [B; 4], [L; 3], [C; 3], [O; 2]),
         (x, p, drum, egg): ([X; 2], P, D, E),
     ) -> Self {
         let bored = Difference::new([r[0], r[1]], [r[2], r[3]]);
-        Self { r, b, s, c, x, p, drum, egg, bored }
+        Self { r, b, s, c, o, x, p, drum, egg, bored }
     }
 }
 
@@ -419,6 +426,7 @@ type Drawn<S> = Leaves<
     Sphere<S>,
     Slab<S>,
     Cone<S>,
+    Torus<S>,
     Cuboid<S>,
     Polyhedron<S, 6>,
     Scaled<Cylinder<S>>,
@@ -431,11 +439,12 @@ impl<S: Tested> Drawn<S> {
         ball: impl Strategy<Value = Sphere<S>>,
         slab: impl Strategy<Value = Slab<S>>,
         cone: impl Strategy<Value = Cone<S>>,
+        ring: impl Strategy<Value = Torus<S>>,
         corner: impl Strategy<Value = f64>,
     ) -> impl Strategy<Value = Self> {
         use proptest::array::{uniform2, uniform3, uniform4, uniform8};
         let cuboids = uniform2((uniform3(corner), uniform3(1..4i32)));
-        let round = (uniform8(rod), uniform4(ball), uniform3(slab), uniform3(cone));
+        let round = (uniform8(rod), uniform4(ball), uniform3(slab), uniform3(cone), uniform2(ring));
         (round, cuboids).prop_map(|(round, cuboids)| {
             let scale = |factors: [f64; 3]| AffineMap::scaling(factors.map(S::near)).unwrap();
             let columns = [[0.5, 0.25, 0.0], [0.0, 1.0, 0.5], [0.25, 0.0, -1.5]].map(vector);
@@ -460,7 +469,13 @@ impl<S: Tested> Drawn<S> {
         let shift = S::translation(vector([0.5, -1.0, 0.5])).unwrap();
         let pose = Pose::rotation_z(S::near(0.5)).and_then(|turn| turn.then(&shift)).unwrap();
         let all = Leaves::new(
-            (self.r.map(Listed), self.b.map(Listed), self.s.map(Listed), self.c.map(Listed)),
+            (
+                self.r.map(Listed),
+                self.b.map(Listed),
+                self.s.map(Listed),
+                self.c.map(Listed),
+                self.o.map(Listed),
+            ),
             (self.x.map(Listed), Listed(self.p), Walked(self.drum), Walked(self.egg)),
         );
         // A tree of these, and the same of those that are listed.
@@ -501,6 +516,8 @@ impl<S: Tested> Drawn<S> {
             Difference::new(of.b[0], [Difference::new(of.egg, of.r[1]), Difference::new(of.egg, of.r[2])]);
             Union::new(painted(of.drum), Placed::new(Difference::new(of.egg, of.b[1]), pose));
             Placed::new(&of.r[0], pose) & (of.b[0] | (Placed::new(&of.b[1], pose) - of.s[0]));
+            (of.o[0] - of.r[0]) | (of.b[0] - (of.o[1] & of.s[0]));
+            Difference::new(of.o, [of.r[0], of.r[1]]) | (painted(of.o[0]) & Placed::new(&of.o[1], pose));
         };
         Ok(counts.into_iter().sum())
     }
@@ -539,7 +556,13 @@ fn trees_of_whatever_touches<S: Tested>() {
             S::cone_along(axis, middle.map(S::near), radii, low, high).unwrap()
         },
     );
-    check_trees(Drawn::drawn(rod, round, slab, cone, grid(3)));
+    let ring = (0..3usize, [grid(3), grid(3), grid(3)], 2..5i32, 1..5i32).prop_map(
+        |(axis, center, ring, thin)| {
+            let radii = [ring, (ring - thin).max(1)].map(|halves| S::near(f64::from(halves) / 2.0));
+            S::torus_along(axis, vector(center), radii).unwrap()
+        },
+    );
+    check_trees(Drawn::drawn(rod, round, slab, cone, ring, grid(3)));
 }
 
 /// Along any direction, anywhere.
@@ -560,7 +583,12 @@ fn trees_of_whatever_lies_askew<S: Tested>() {
             S::cone_between(vector(from), vector(to), radii).unwrap()
         },
     );
-    check_trees(Drawn::drawn(rod, round, slab, cone, -1.5f64..1.0));
+    let ring = (place(), direction(), 0.3..1.4f64, 0.05..0.95f64).prop_map(
+        |(center, axis, ring, part)| {
+            S::torus(vector(center), vector(axis), [ring, ring * part].map(S::near)).unwrap()
+        },
+    );
+    check_trees(Drawn::drawn(rod, round, slab, cone, ring, -1.5f64..1.0));
 }
 
 fn check_trees<S: Tested>(leaves: impl Strategy<Value = Drawn<S>>) {

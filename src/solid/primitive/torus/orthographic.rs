@@ -16,7 +16,10 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Torus<S> {
     fn view(&self, rays: &OrthographicRays<S>) -> Self::View {
         let center = self.ring.center.wide() - rays.center;
         let [ring, tube] = [self.ring.radius.wide(), self.ring.tube.wide()];
-        let size = center.max_abs() + ring + tube;
+        let reach = ring + tube;
+        // A line's point and direction are rounded, which is seen as far off as the torus reaches.
+        let off = S::ROUNDING.wide() * (S::Wide::ONE + center.dot(rays.forward).abs() + reach);
+        let size = center.max_abs() + reach;
         // Three coordinates, each of which is as large as that.
         let size = size + size + size;
         let from_middle = Affine { middle: S::Wide::ZERO, step: rays.half_pixel };
@@ -24,7 +27,7 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Torus<S> {
             let at = center.dot_compensated(direction);
             // As far as the ring reaches, and the tube around it.
             let across = direction.cross(self.ring.axis.wide());
-            let half = ring * across.length_squared().sqrt() + tube;
+            let half = ring * across.length_squared().sqrt() + tube + off;
             Steps::between::<S>(from_middle, at - half, at + half, size)
         };
         Some(OrthographicView {
@@ -34,7 +37,7 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Torus<S> {
             columns: steps(rays.right),
             right: center.dot_compensated(rays.right),
             down: center.dot_compensated(rays.down),
-            reach: S::from_wide(ring + tube + S::uncertainty(size) + S::ROUNDING.wide()),
+            reach: S::from_wide(reach + off + S::uncertainty(size)),
         })
     }
 

@@ -3,7 +3,7 @@
 use super::Torus;
 use crate::geom::{Extent, PerspectiveRays, Rays};
 use crate::quadric::ReadyTorus;
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 use crate::scan::Leaf;
 use crate::scan::bounds::PerspectiveBall;
 use crate::span::Span;
@@ -14,8 +14,12 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Torus<S> {
     type Spans = [Span<S>; 2];
 
     fn view(&self, rays: &PerspectiveRays<S>) -> Self::View {
+        let center = self.ring.center.wide();
         let reach = self.ring.radius.wide() + self.ring.tube.wide();
-        let ball = PerspectiveBall::new(self.ring.center.wide(), reach, rays);
+        // A line's point and direction are rounded, which is seen as far off as the torus reaches.
+        let depth = (center - rays.plane.center).dot(rays.plane.forward).abs() + reach;
+        let off = S::ROUNDING.wide() * (S::Wide::ONE + depth);
+        let ball = PerspectiveBall::new(center, reach + off, rays);
         Some(PerspectiveView { rays: *rays, torus: self.ready(), ball })
     }
 
