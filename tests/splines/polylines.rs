@@ -115,7 +115,7 @@ fn as_few_segments_as_a_greedy_walk() {
     for i in 0..200 {
         let model = random_cubic(&mut random, i % 2 == 0);
         let tolerance = [0.5, 0.05, 0.01][i % 3];
-        let samples = model.samples(if cfg!(debug_assertions) { 3000 } else { 20_000 });
+        let samples = model.samples(if cfg!(debug_assertions) { 3000 } else { 8000 });
         needed += greedy(&samples, tolerance);
         fn of<S: Numeric>(model: &Model, tolerance: f64) -> (usize, f64) {
             let curve = cubic::<S>(model);
