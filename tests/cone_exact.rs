@@ -11,6 +11,7 @@ use scancsg::scalar::I16F16;
 use scancsg::solid::{Cone, RayCast};
 use scancsg::span::SpanList;
 use testkit::cone_oracle::{Query, is_ahead, span, to_f64};
+use testkit::limits;
 use testkit::number::{Tested, coordinates, vector};
 use testkit::random::Random;
 use testkit::surd::Surd;
@@ -255,6 +256,14 @@ fn check<S: Tested>(count: usize) {
             wrong.len(),
             percentiles(&off)
         );
+        let [_, p99, largest] = percentiles(&off).unwrap();
+        // On the surface, parameters are near zero, and a unit of them says nothing.
+        let is_near = match kind {
+            _ if S::IS_FIXED => largest <= limits::FIXED_P99,
+            Kind::FromSurface => true,
+            _ => p99 <= limits::HARD_P99,
+        };
+        assert!(is_near, "{kind:?}: {p99} {largest}");
         assert!(clear[1] * 5 > count, "{kind:?}: {clear:?}");
         assert!(
             wrong.is_empty(),
