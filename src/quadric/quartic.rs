@@ -4,8 +4,10 @@
 //! `g = z² + (ρ − R)² − r²` is negative. Along a line that is counted from its point p nearest to the
 //! centre, by its length s, `F = g·(z² + (ρ + R)² − r²)` is a polynomial with the signs of g:
 //!
-//!     F  = (s² + |p|² + R² − r²)² − 4R²ρ²
-//!     F' = 4(s³ + a·s + b),  a = |p|² + R² − r² − 2R²|m|²,  b = −2R² q·m
+//! ```text
+//! F  = (s² + |p|² + R² − r²)² − 4R²ρ²
+//! F' = 4(s³ + a·s + b),  a = |p|² + R² − r² − 2R²|m|²,  b = −2R² q·m
+//! ```
 //!
 //! q and m are p and the direction across the axis. F has one lowest point where s < 0 and one where
 //! s > 0, at most. They are roots of a cubic that is convex on either side, so Newton's steps from the
