@@ -415,10 +415,7 @@ struct Leaves<R, B, L, C, O, X, P, D, E> {
 type Round<R, B, L, C, O> = ([R; 8], [B; 4], [L; 3], [C; 3], [O; 2]);
 
 impl<R: Copy, B, L, C, O, X, P, D, E> Leaves<R, B, L, C, O, X, P, D, E> {
-    fn new(
-        (r, b, s, c, o): Round<R, B, L, C, O>,
-        (x, p, drum, egg): ([X; 2], P, D, E),
-    ) -> Self {
+    fn new((r, b, s, c, o): Round<R, B, L, C, O>, (x, p, drum, egg): ([X; 2], P, D, E)) -> Self {
         let bored = Difference::new([r[0], r[1]], [r[2], r[3]]);
         Self { r, b, s, c, o, x, p, drum, egg, bored }
     }
