@@ -8,7 +8,7 @@ use scancsg::constant;
 use scancsg::geom::{AxisLine, AxisLineError, Line, RayRow, Rays, Vec3, vec3};
 use scancsg::render::{Camera, Gray8, Orthographic, Perspective, Picture, Size, XRay};
 use scancsg::scalar::I16F16;
-use scancsg::solid::{Cylinder, CylinderError, Difference, RayCast, Scan};
+use scancsg::solid::{Cone, Cylinder, CylinderError, Difference, RayCast, Scan};
 use scancsg::span::{Face, SpanList};
 use testkit::number::{Tested, coordinates, vector};
 use testkit::random::Random;
@@ -132,6 +132,40 @@ fn no_film_shows_in_i16f16() {
     no_film_shows::<I16F16>();
 }
 
+/// A funnel: a cone minus a cone, on one axis. Rays into its opening see no film.
+fn no_film_shows_on_cones<S: Tested>() {
+    let mut random = Random::named("funnels");
+    let mut hits = 0;
+    for number in 0..CUPS {
+        let cup = Drawn::<S>::new(&mut random);
+        let [from, to] = [along(cup.top, -1.5, cup.out), cup.top].map(vector::<S>);
+        let axis = AxisLine::from_to(from, to).unwrap();
+        let end = axis.length();
+        let [half, most] = [0.5, 0.8].map(|part| S::near(part * cup.radius));
+        let body = Cone::<S>::on_axis(&axis, [half, S::near(cup.radius)], S::ZERO, end).unwrap();
+        let hollow = Cone::on_axis(&axis, [S::ZERO, most], S::near(0.25), end).unwrap();
+        let funnel = body - hollow;
+        let mut list = SpanList::<S, 8>::new();
+        for _ in 0..300 {
+            let aim = cup.opening(&mut random);
+            let way = times(along(random.direction(), random.between(1.5, 3.0), cup.out), -1.0);
+            let way = times(way, 1.0 / length(way));
+            let start = vector::<S>(along(aim, -random.between(1.0, 8.0), way));
+            let ray = scancsg::geom::Ray::new(start, vector(way)).unwrap();
+            let Some(hit) = funnel.hit(&ray, &mut list) else { continue };
+            hits += 1;
+            assert!(!cup.is_film(hit.face, coordinates(hit.point)), "funnel {number}: {hit:?}");
+        }
+    }
+    assert!(hits > 50 * CUPS, "{hits}");
+}
+
+#[test]
+fn no_film_shows_on_cones_in_f32_and_i16f16() {
+    no_film_shows_on_cones::<f32>();
+    no_film_shows_on_cones::<I16F16>();
+}
+
 /// From the first point to the last, it is the cylinder between them; and what constants have, a type
 /// parameter has, too.
 macro_rules! same {
@@ -143,7 +177,12 @@ macro_rules! same {
         if let Ok(axis) = axis {
             let whole = Cylinder::<$S>::on(&axis, r, <$S as Tested>::near(0.0), axis.length());
             prop_assert_eq!(whole, Cylinder::<$S>::between(p, q, r));
+            let radii = [r, c];
+            let whole = Cone::<$S>::on(&axis, radii, <$S as Tested>::near(0.0), axis.length());
+            prop_assert_eq!(whole, Cone::<$S>::between(p, q, radii));
             for to in [t, axis.length()] {
+                let part = Cone::<$S>::on(&axis, radii, s, to);
+                prop_assert_eq!(Cone::<$S>::on_axis(&axis, radii, s, to), part);
                 let part = Cylinder::<$S>::on(&axis, r, s, to);
                 prop_assert_eq!(Cylinder::<$S>::on_axis(&axis, r, s, to), part);
             }

@@ -5,7 +5,7 @@ mod perspective;
 mod pixel;
 
 use super::cylinder::{Cylinder, CylinderError, frame, set_common};
-use crate::geom::{Axis, Line, Vec3};
+use crate::geom::{Axis, AxisLine, Line, Vec3};
 use crate::quadric::{Planes, Taper, WALL, Wall, meet};
 use crate::scalar::{ConstOps, Number, Real, Scalar, per_scalar};
 use crate::scan::bounds::Bounds;
@@ -136,6 +136,20 @@ per_scalar! { $S: impl[] Cone<$S> {
         Self::inside(Cylinder::<$S>::between(from, to, Self::larger(radii)), radii)
     }
 
+    /// A cone on an axis that it may share with other solids, from one position along it to another: see
+    /// [`AxisLine`].
+    ///
+    /// # Errors
+    /// As [`along_x`](Self::along_x).
+    pub const fn on(
+        axis: &AxisLine<$S>,
+        radii: [$S; 2],
+        from: $S,
+        to: $S,
+    ) -> Result<Self, ConeError> {
+        Self::inside(Cylinder::<$S>::on(axis, Self::larger(radii), from, to), radii)
+    }
+
     const fn larger([low, high]: [$S; 2]) -> $S {
         if ConstOps::<$S>::is_below(low, high) { high } else { low }
     }
@@ -191,6 +205,14 @@ impl<S: Scalar> Cone<S> {
     /// As [`between`](Self::between).
     pub fn from_to(from: Vec3<S>, to: Vec3<S>, radii: [S; 2]) -> Result<Self, ConeError> {
         Self::checked(Cylinder::<S>::from_to(from, to, radii[0].max(radii[1])), radii)
+    }
+
+    /// A cone on an axis that it may share with other solids, from one position along it to another.
+    ///
+    /// # Errors
+    /// As [`on`](Self::on).
+    pub fn on_axis(axis: &AxisLine<S>, radii: [S; 2], from: S, to: S) -> Result<Self, ConeError> {
+        Self::checked(Cylinder::on_axis(axis, radii[0].max(radii[1]), from, to), radii)
     }
 
     fn checked(
