@@ -22,12 +22,69 @@ pub(in crate::quadric) fn cone<S: Float>(
     caps: &Planes<S>,
     line: &Line<S>,
 ) -> Option<Span<S>> {
-    let [enter, exit] = closely(taper, caps, line)?;
+    let [enter, exit] = match plainly(taper, caps, line) {
+        Some(inside) => inside?,
+        None => closely(taper, caps, line)?,
+    };
     let Span { enter: near, exit: far } = planes(caps, line).ends()?;
     common((enter, exit), (near.t, far.t), [near.face, far.face])
 }
 
+/// Where a line is inside the wall, from plain sums; `None` where these may not be precise, or where the line
+/// is as steep as the side or steeper.
+///
+/// With ε for a rounding, u, w and k are off by some ε of what they are summed from: `across`, `wide` and
+/// `deep`. So D is off by ε(|w|·wide + |k|·deep), which reaches s divided by 2√D. A quotient of s is kept
+/// where both that and the error of b are small beside s, and where little cancels in a and in c.
+#[inline(always)]
+fn plainly<S: Float>(taper: &Taper<S>, caps: &Planes<S>, line: &Line<S>) -> Option<Option<[S; 2]>> {
+    let axis = caps.normal.vector();
+    let [low, high] = taper.radii;
+    let slope = (high - low) / (caps.high - caps.low);
+    let (u, d) = (line.origin - taper.base, line.direction);
+    let (q, m) = (u.cross(axis), d.cross(axis));
+    let height = caps.normal.dot(line.origin);
+    let radius = low + slope * (height - caps.low);
+    let growth = slope * caps.normal.dot(d);
+    let (of_m, of_q) = (m.length_squared(), q.length_squared());
+    let a = of_m - growth * growth;
+    let b = q.dot(m) - radius * growth;
+    let c = of_q - radius * radius;
+    let w = m * radius - q * growth;
+    let k = u.dot_compensated(m);
+    let (of_w, of_k) = (w.length_squared(), k * k);
+    let discriminant = of_w - of_k;
+
+    let size = low.max(high) + slope.abs() * (height.abs() + caps.low.abs());
+    let (across, speed) = (u.length_squared(), d.length_squared());
+    let [half, eight] = [S::HALF, S::from_int(8)];
+    let is_clear = a > half * of_m && eight * c.abs() > across + size * size;
+    // Squares: of |w|·wide + |k|·deep, but for a factor of 2.
+    let wide = size * size * speed + slope * slope * speed * across;
+    let blur = of_w * wide + of_k * across * speed;
+    if !is_clear {
+        return None;
+    }
+    if discriminant < S::ZERO {
+        let error = (blur.sqrt() + of_k) * S::EPSILON * S::from_int(32);
+        return (discriminant < -error).then_some(None);
+    }
+    let s = discriminant.sqrt() + b.abs();
+    let square = s * s;
+    let is_precise =
+        blur < (eight + eight) * discriminant * square && across * speed < eight * square;
+    if !is_precise {
+        return None;
+    }
+    match points(s / a, c / s, b, discriminant) {
+        Roots::Between(first, last) => Some(Some([first, last])),
+        Roots::Outside | Roots::Everywhere => None,
+    }
+}
+
 /// Where any line is inside the nappe between the caps, in twice the working precision throughout.
+#[cold]
+#[inline(never)]
 fn closely<S: Float>(taper: &Taper<S>, caps: &Planes<S>, line: &Line<S>) -> Option<[S; 2]> {
     let [low, high] = taper.radii;
     let (length, rise) = (Double::sum(caps.high, -caps.low), Double::sum(high, -low));
