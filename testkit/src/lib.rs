@@ -8,6 +8,7 @@ pub mod bspline_table;
 pub mod caster;
 pub mod cone_oracle;
 pub mod cylinder_table;
+pub mod expect;
 pub mod limits;
 pub mod number;
 pub mod oracle;

@@ -1,7 +1,6 @@
 //! The number types that tests are written for once: what a test needs to know of them, and the
 //! constructors, which traits can't have as `const fn`.
 
-use crate::limits;
 use fixed::types::{I8F24, I20F12, I24F8};
 use scancsg::geom::{Pose, PoseError, Ray, Vec3, vec3};
 use scancsg::scalar::{FixedPoint, I16F16, Scalar};
@@ -294,17 +293,4 @@ pub fn spans<S: Tested, T: Solid<Scalar = S>>(solid: &T, ray: &Ray<S>) -> Vec<(f
     let spans = solid.trace(ray, &mut list).iter();
     // + 0.0 makes −0 into 0, which is the same parameter.
     spans.map(|span| (span.enter.t.to_f64() + 0.0, span.exit.t.to_f64() + 0.0)).collect()
-}
-
-/// The spans of a line have to be these: in fixed point at the nearest numbers, in floating point within
-/// 4 ε of the parameter.
-#[track_caller]
-pub fn assert_spans<S: Tested, T: Solid<Scalar = S>>(solid: &T, ray: &Ray<S>, want: &[(f64, f64)]) {
-    let got = spans(solid, ray);
-    let units = limits::SPANS.of::<S>();
-    let allowed = |t: f64| if S::IS_FIXED { units + limits::WANTED } else { units * t.abs() };
-    let is_near = |got: f64, want: f64| (got - want).abs() <= allowed(want);
-    let all_near =
-        got.iter().zip(want).all(|(got, want)| is_near(got.0, want.0) && is_near(got.1, want.1));
-    assert!(got.len() == want.len() && all_near, "{got:?} is not {want:?}");
 }

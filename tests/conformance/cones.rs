@@ -2,7 +2,7 @@
 
 use crate::caster::{self, Solid as Model};
 use crate::limits;
-use crate::number::{Tested, assert_spans, coordinates, ray, spans, vector};
+use crate::number::{Tested, coordinates, ray, spans, vector};
 use crate::pictures::{
     SIZE, UP, compare, cone, config, direction, orthographic, perspective, point,
 };
@@ -10,6 +10,7 @@ use proptest::prelude::*;
 use scancsg::geom::Vec3;
 use scancsg::solid::{Cone, ConeError, Difference, RayCast, Union};
 use scancsg::span::{Face, SpanList};
+use testkit::expect::assert_spans;
 
 for_every_number!(
     bad_input,

@@ -2,9 +2,10 @@
 //! themselves are in `cylinders`, the laws of boolean algebra in `laws`.
 
 use crate::limits;
-use crate::number::{Tested, assert_spans, ball, ray, rod, spans};
+use crate::number::{Tested, ball, ray, rod, spans};
 use scancsg::solid::RayCast;
 use scancsg::span::SpanList;
+use testkit::expect::assert_spans;
 
 for_every_number!(
     from_thousands_of_radii,
