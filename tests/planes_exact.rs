@@ -2,7 +2,8 @@
 //!
 //! A face is the plane that the type under test holds, with its rounded normal, so nothing is rounded but what
 //! the crate rounds. In floating point, the class of a line is clear if the solid with all faces moved out by
-//! 10⁻⁶ of its size has the same, and with all faces moved in as well. In fixed point, every class must be
+//! 10⁻⁶ of its size has the same, and with all faces moved in as well. One exception is counted: a line that
+//! cuts off an edge for a few units in the last place of t may miss it. In fixed point, every class must be
 //! right; only a line along a face's plane is left out.
 
 #![allow(clippy::unwrap_used)]
@@ -247,6 +248,8 @@ struct Found {
     off: Vec<f64>,
     /// The same, of spans of less than a unit of the grid: these are made a unit long.
     short: Vec<f64>,
+    /// Clear spans that were missed in floating point, all of them shorter than two parameters' errors.
+    missed: usize,
 }
 
 /// The unit in the last place of a parameter, but not of one below 10⁻³; or that of the grid.
@@ -294,6 +297,15 @@ impl Found {
             // On a grid, what ends just behind the start may end in it, or end before it.
             let ends_at_start = want.is_some_and(|[_, exit]| exit.abs() <= S::UNIT);
             let is_clear = is_hit(&grown) == is_hit(&shrunk) && !(S::IS_FIXED && ends_at_start);
+            // Of a line that is counted from its start: parameters of others are known better.
+            let is_unresolved = |[enter, exit]: [f64; 2]| {
+                let errors = 2.0 * limits::SHARP_P99 * unit_of::<S>(exit);
+                !S::IS_FIXED && ray.start() == S::ZERO && exit - enter < errors
+            };
+            if got.is_none() && hit.is_none() && want.is_some_and(is_unresolved) {
+                self.missed += 1;
+                return;
+            }
             if got.is_some() != grown.is_some() || is_clear && hit.is_some() != is_hit(&grown) {
                 self.wrong.push(report());
                 return;
@@ -322,12 +334,12 @@ impl Found {
 
 fn check<S: Tested, T: Drawn<S>>(count: usize) {
     for kind in KINDS {
-        let Found { clear, wrong, off, short } = found::<S, T>(kind, count);
+        let Found { clear, wrong, off, short, missed } = found::<S, T>(kind, count);
         let [half, p99, largest] = percentiles(&off).unwrap();
         let [.., of_short] = percentiles(&short).unwrap_or_default();
         println!(
             "{:11} {clear:?} missed and hit, {} wrong, off {half:.2} {p99:.2} {largest:.2}; \
-             {} short, {of_short:.2}",
+             {} short, {of_short:.2}; {missed} missed",
             format!("{kind:?}"),
             wrong.len(),
             short.len() / 2,
@@ -338,6 +350,8 @@ fn check<S: Tested, T: Drawn<S>>(count: usize) {
             wrong.len(),
             wrong[..wrong.len().min(3)].join("\n")
         );
+        // 7 of 200,000 grazing rays were.
+        assert!(missed <= 2 + count / 5000, "{kind:?}: {missed} missed");
         let is_near = if S::IS_FIXED {
             largest <= limits::SPANS.fixed + limits::WANTED && of_short <= limits::FIXED_MAX
         } else {
