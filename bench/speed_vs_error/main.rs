@@ -71,7 +71,9 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     print!("{}", report::table(&results));
     println!("\nSpheres; time as a multiple of the textbook formula's for spheres.");
     print!("{}", report::table(&spheres));
-    println!("\nOther solids, {of_solids} rays of each kind; time by each one's textbook method's.");
+    println!(
+        "\nOther solids, {of_solids} rays of each kind; time by each one's textbook method's."
+    );
     print!("{}", solids::table(&solids));
 
     let curves = if quick { 20 } else { 400 };
@@ -98,7 +100,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     ];
     fs::write(measured.join("speed_vs_error.md"), markdown.concat())?;
     fs::write(measured.join("speed_vs_error_splines.csv"), splines::csv(&splines))?;
-    plot::write(&results, &splines, &folder.join("speed_vs_error.svg"))?;
+    plot::write(&results, &solids, &splines, &folder.join("speed_vs_error.svg"))?;
 
     let mut failed = false;
     for shipped in methods::SHIPPED {

@@ -48,8 +48,7 @@ pub fn block(
 ) -> String {
     let mut text = String::new();
     let in_unit = [format!("t_in ({unit})"), format!("t_out ({unit})")];
-    let _ =
-        writeln!(text, "\n{label:28}{:>9}{:>21}{:>13}", in_unit[0], in_unit[1], "false");
+    let _ = writeln!(text, "\n{label:28}{:>9}{:>21}{:>13}", in_unit[0], in_unit[1], "false");
     let _ = writeln!(
         text,
         "{:12}{:>6}{:>7}{:>7}{:>7}{:>7}{:>7}{:>7}{:>7}{:>7}{:>6}",
@@ -140,19 +139,18 @@ pub fn markdown(results: &Results, spheres: &Results) -> String {
     for (results, (group, name)) in
         [results, spheres].iter().flat_map(|part| part.groups().map(move |group| (part, group)))
     {
-        let rows = results.methods.iter().enumerate().map(|(i, method)| {
-            (method.label(), method.inputs.unit, results.summary(i, group))
-        });
+        let rows = results
+            .methods
+            .iter()
+            .enumerate()
+            .map(|(i, method)| (method.label(), method.inputs.unit, results.summary(i, group)));
         text += &section(name, rows);
     }
     text
 }
 
 /// Method against method on some rays.
-pub fn section(
-    name: &str,
-    rows: impl Iterator<Item = (String, &'static str, Summary)>,
-) -> String {
+pub fn section(name: &str, rows: impl Iterator<Item = (String, &'static str, Summary)>) -> String {
     let mut text = format!(
         "\n## {name}\n\n\
          | method | rays | time | t_in | t_out | unit | false hits | false misses | other | p99, ulps |\n\

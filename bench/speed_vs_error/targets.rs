@@ -5,8 +5,9 @@ use crate::accuracy::Accuracy;
 use crate::methods::Inputs;
 use crate::rays::{Group, Set};
 use Group::{
-    Sphere, SphereGraze, SphereInside, SphereNear, Benign, BenignMoved, Far, FarMoved, Fixed, FixedShort,
-    Graze, GrazeMoved, Huge, Inside, InsideMoved, Invalid, NearParallel, PastOrigin, Rim, Tiny,
+    Benign, BenignMoved, Far, FarMoved, Fixed, FixedShort, Graze, GrazeMoved, Huge, Inside,
+    InsideMoved, Invalid, NearParallel, PastOrigin, Rim, Sphere, SphereGraze, SphereInside,
+    SphereNear, Tiny,
 };
 use Groups::{AllBut, Only};
 use testkit::limits::{

@@ -46,8 +46,7 @@ pub fn check_references() -> Result<usize, String> {
         }
         for Query { solid, ray } in drawn::<Torus>(kind, name, RAYS).into_iter().map(held) {
             let model = solid.model();
-            let [exact, more, less] =
-                [0, 1, -1].map(|by| Quartic::new(&model, ray[0], ray[1], by));
+            let [exact, more, less] = [0, 1, -1].map(|by| Quartic::new(&model, ray[0], ray[1], by));
             let spans = solid.spans(ray, 0.0);
             let is_clear = more.roots().0 == less.roots().0;
             let is_same = 2 * spans.iter().flatten().count() == exact.roots().0;
@@ -70,7 +69,9 @@ fn largest_error(quartic: &Quartic, spans: &Spans<f64>) -> Option<f64> {
     // The oracle counts in sixteenths of its unit.
     const UNIT: f64 = 1.0 / 64.0;
     let mut largest = 0.0;
-    for (t, inwards) in spans.iter().flatten().flat_map(|[t_in, t_out]| [(*t_in, true), (*t_out, false)]) {
+    for (t, inwards) in
+        spans.iter().flatten().flat_map(|[t_in, t_out]| [(*t_in, true), (*t_out, false)])
+    {
         let unit = (UNIT * ulp_at(t.abs().max(1e-3))).log2() as i32;
         largest = quartic.error(t, unit, inwards)?.max(largest);
     }

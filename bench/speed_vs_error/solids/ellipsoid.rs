@@ -55,9 +55,8 @@ impl Subject for Ellipsoid {
         if random.chance(0.3) {
             scale[0] = -scale[0];
         }
-        let column = |j: usize| {
-            (0..3).fold([0.0; 3], |sum, k| along(sum, scale[k] * inner[k][j], outer[k]))
-        };
+        let column =
+            |j: usize| (0..3).fold([0.0; 3], |sum, k| along(sum, scale[k] * inner[k][j], outer[k]));
         Self { columns: std::array::from_fn(column), middle: random.point(3.0), radius: 1.0 }
     }
 

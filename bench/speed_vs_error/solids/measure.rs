@@ -20,6 +20,12 @@ pub struct Label {
     pub is_shipped: bool,
 }
 
+impl Label {
+    pub fn label(&self) -> String {
+        format!("{} {}", self.name, self.number)
+    }
+}
+
 /// A method on rays of a kind.
 pub struct Row {
     pub kind: Kind,

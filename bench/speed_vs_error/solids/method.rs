@@ -18,6 +18,9 @@ pub struct Query<Q> {
     pub ray: [V; 2],
 }
 
+type Answer<Q> = dyn Fn(&Query<Q>) -> Option<Spans<f64>>;
+type PreparePass<Q> = dyn Fn(&[Query<Q>]) -> Pass;
+
 pub struct Method<Q> {
     pub name: &'static str,
     /// The number type that it computes in.
@@ -25,9 +28,9 @@ pub struct Method<Q> {
     pub inputs: &'static Inputs,
     pub gives: Gives,
     /// `None` where it doesn't take the query.
-    pub answer: Box<dyn Fn(&Query<Q>) -> Option<Spans<f64>>>,
+    pub answer: Box<Answer<Q>>,
     /// Gets ready to answer all of these queries.
-    pub prepare_pass: Box<dyn Fn(&[Query<Q>]) -> Pass>,
+    pub prepare_pass: Box<PreparePass<Q>>,
 }
 
 impl<Q: Subject> Method<Q> {

@@ -13,7 +13,7 @@ mod subject;
 mod torus;
 
 pub use check::check_references;
-pub use measure::Part;
+pub use measure::{Part, Row};
 pub use report::{csv, markdown, shortfalls, table};
 pub use subject::Kind;
 

@@ -246,7 +246,7 @@ impl Subject for Convex {
 
     fn peers() -> Vec<Method<Self>> {
         let numbers = |Query { solid, ray }: &Query<Self>| {
-            let faces: [([f32; 3], f32); FACES] =
+            let faces: FacesF32 =
                 std::array::from_fn(|i| (narrow(solid.normals[i]), solid.offsets[i] as f32));
             Some((ray.map(narrow), faces))
         };
@@ -260,8 +260,11 @@ impl Subject for Convex {
     by_faces!();
 }
 
+/// Normal and offset of each face.
+type FacesF32 = [([f32; 3], f32); FACES];
+
 /// Cyrus and Beck's clipping, plane after plane.
-fn clipped((line, faces): &([[f32; 3]; 2], [([f32; 3], f32); FACES])) -> Spans<f32> {
+fn clipped((line, faces): &([[f32; 3]; 2], FacesF32)) -> Spans<f32> {
     let &[origin, direction] = line;
     let [mut enter, mut exit] = [f32::NEG_INFINITY, f32::INFINITY];
     for &(normal, offset) in faces {

@@ -94,8 +94,8 @@ fn cubic(a: f32, b: f32, c: f32) -> ([f32; 3], usize) {
         let angle = (-q / (-cube).sqrt()).acos() / 3.0;
         let reach = 2.0 * (-p).sqrt();
         let third = std::f32::consts::FRAC_PI_3;
-        let roots =
-            [angle.cos(), -(angle + third).cos(), -(angle - third).cos()].map(|x| reach * x - shift);
+        let roots = [angle.cos(), -(angle + third).cos(), -(angle - third).cos()]
+            .map(|x| reach * x - shift);
         return (roots, 3);
     }
     let root = discriminant.sqrt();

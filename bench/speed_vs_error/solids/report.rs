@@ -10,22 +10,18 @@ pub fn table(parts: &[Part]) -> String {
     let blocks = parts.iter().flat_map(|part| {
         part.methods.iter().enumerate().map(move |(method, label)| {
             let rows = part.rows.iter().filter(move |row| row.method == method);
-            let title = format!("{}, {} {}", part.name, label.name, label.number);
-            report::block(&title, label.unit, rows.map(|row| (name(row.kind), row.summary())))
+            let title = format!("{}, {}", part.name, label.label());
+            report::block(&title, label.unit, rows.map(|row| (row.kind.name(), row.summary())))
         })
     });
     blocks.collect()
-}
-
-fn name(kind: Kind) -> &'static str {
-    Kind::ALL.into_iter().find(|(one, _)| *one == kind).map_or("", |(_, name)| name)
 }
 
 /// Every method on every set.
 pub fn csv(parts: &[Part]) -> String {
     let row = |part: &Part, row: &Row| {
         let label = &part.methods[row.method];
-        let set = format!("{}_{}", part.name, name(row.kind));
+        let set = format!("{}_{}", part.name, row.kind.name());
         report::csv_row([&set, label.name, label.number, label.unit], &row.accuracy, row.cost)
     };
     parts.iter().flat_map(|part| part.rows.iter().map(move |of| row(part, of))).collect()
@@ -55,7 +51,7 @@ pub fn markdown(parts: &[Part], rays: usize) -> String {
         for (kind, name) in Kind::ALL {
             let rows = part.rows.iter().filter(|row| row.kind == kind).map(|row| {
                 let label = &part.methods[row.method];
-                (format!("{} {}", label.name, label.number), label.unit, row.summary())
+                (label.label(), label.unit, row.summary())
             });
             text += &report::section(&format!("{} {name}", part.name), rows);
         }
@@ -79,7 +75,8 @@ fn shortfalls_of(part: &Part, row: &Row) -> Vec<String> {
     ];
     if row.kind == Kind::Ordinary {
         let limit = part.limits.p99.of_kind(is_fixed);
-        for (what, errors) in [("t_in, p99", &accuracy.errors[0]), ("t_out, p99", &accuracy.errors[1])]
+        for (what, errors) in
+            [("t_in, p99", &accuracy.errors[0]), ("t_out, p99", &accuracy.errors[1])]
         {
             let p99 = testkit::ulp::percentiles(errors).map_or(f64::INFINITY, |[_, p99, _]| p99);
             figures.push((what, p99, limit));
@@ -88,7 +85,7 @@ fn shortfalls_of(part: &Part, row: &Row) -> Vec<String> {
     // Of no rays, the part that is wrong isn't a number, and reaches no limit.
     let missed = figures.into_iter().filter(|(_, figure, limit)| figure > limit || figure.is_nan());
     let text = |(what, figure, limit)| {
-        let set = format!("{} {}", part.name, name(row.kind));
+        let set = format!("{} {}", part.name, row.kind.name());
         format!("{set:20} {} {what}: {figure:.3e} > {limit}", label.number)
     };
     missed.map(text).collect()

@@ -77,6 +77,10 @@ impl Kind {
         (Self::Surface, "surface"),
     ];
 
+    pub fn name(self) -> &'static str {
+        Self::ALL.into_iter().find(|(kind, _)| *kind == self).map_or("", |(_, name)| name)
+    }
+
     pub fn ray<Q: Subject>(self, solid: &Q, random: &mut Random) -> [V; 2] {
         let power = |random: &mut Random, low, high| 10f64.powf(random.between(low, high));
         let inside = |random: &mut Random| {

@@ -72,7 +72,8 @@ impl Subject for Torus {
         let n = [square[0] + (ring + tube) * (ring - tube), square[1], square[2]];
         let height = [dot(self.axis, p), dot(self.axis, d)];
         let axis = dot(self.axis, self.axis);
-        let along_axis = [height[0] * height[0], 2.0 * height[0] * height[1], height[1] * height[1]];
+        let along_axis =
+            [height[0] * height[0], 2.0 * height[0] * height[1], height[1] * height[1]];
         let mut f = [0.0; 5];
         for i in 0..3 {
             for j in 0..3 {
@@ -119,9 +120,7 @@ impl Subject for Torus {
 }
 
 /// The quartic's coefficients as they are written down, and Ferrari's solution.
-fn textbook(
-    &([o, d], axis, [ring, tube]): &([[f32; 3]; 2], [f32; 3], [f32; 2]),
-) -> Spans<f32> {
+fn textbook(&([o, d], axis, [ring, tube]): &([[f32; 3]; 2], [f32; 3], [f32; 2])) -> Spans<f32> {
     let (dd, od, oo) = (dot_f32(d, d), dot_f32(o, d), dot_f32(o, o));
     let (along, at) = (dot_f32(axis, d), dot_f32(axis, o));
     let n = oo + ring * ring - tube * tube;
