@@ -64,16 +64,12 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     let count = args.rays.unwrap_or(count);
     let results = Results::measure(methods::methods(), rays::SETS, count, rounds);
     let spheres = Results::measure(spheres::methods(), spheres::SETS, count, rounds);
-    // Enough of these for their 99th percentile in a quick run, too.
-    let of_solids = if args.rays.is_none() && quick { 640 } else { count };
-    let solids = solids::measure(of_solids, rounds);
+    let solids = solids::measure(count, rounds);
     println!("{count} rays a set; time as a multiple of the textbook f32 formula's.");
     print!("{}", report::table(&results));
     println!("\nSpheres; time as a multiple of the textbook formula's for spheres.");
     print!("{}", report::table(&spheres));
-    println!(
-        "\nOther solids, {of_solids} rays of each kind; time by each one's textbook method's."
-    );
+    println!("\nOther solids; time as a multiple of each one's textbook method's.");
     print!("{}", solids::table(&solids));
 
     let curves = if quick { 20 } else { 400 };
@@ -95,7 +91,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     fs::write(measured.join("speed_vs_error.csv"), rows)?;
     let markdown = [
         report::markdown(&results, &spheres),
-        solids::markdown(&solids, of_solids),
+        solids::markdown(&solids, count),
         splines::markdown(&splines),
     ];
     fs::write(measured.join("speed_vs_error.md"), markdown.concat())?;
