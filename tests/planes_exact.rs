@@ -42,14 +42,9 @@ enum Kind {
     FromSurface,
 }
 
-const KINDS: [Kind; 6] = [
-    Kind::Ordinary,
-    Kind::Far,
-    Kind::Grazing,
-    Kind::AlongFace,
-    Kind::FromInside,
-    Kind::FromSurface,
-];
+use Kind::{AlongFace, Far, FromInside, FromSurface, Grazing, Ordinary};
+
+const KINDS: [Kind; 6] = [Ordinary, Far, Grazing, AlongFace, FromInside, FromSurface];
 
 /// The points p with `normal · p ≤ offset`, by the numbers that a face has.
 #[derive(Debug, Clone, Copy)]
@@ -113,10 +108,8 @@ impl<S: Tested> Drawn<S> for Polyhedron<S, 8> {
         });
         let solid = Self::bounded_by(half_spaces).ok()?;
         // A needle may end far away.
-        let is_small = [0, 1, 2].iter().all(|axis| {
-            let mut way = [0.0; 3];
-            way[*axis] = 1.0;
-            let line = span(&faces, [middle, way], 0.0);
+        let is_small = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].iter().all(|way| {
+            let line = span(&faces, [middle, *way], 0.0);
             line.is_some_and(|[enter, exit]| to_f64(&exit) - to_f64(&enter) < 8.0)
         });
         is_small.then_some(Subject { solid, faces, middle, size: 1.0 })
@@ -150,11 +143,8 @@ fn span(faces: &[Plane], line: [V; 2], growth: f64) -> Option<[Surd; 2]> {
     let [mut enter, mut exit] = [None::<Surd>, None::<Surd>];
     for face in faces {
         match meeting(face, line, growth) {
-            Meeting::Along(is_behind) => {
-                if is_behind != Some(true) {
-                    return None;
-                }
-            }
+            Meeting::Along(Some(true)) => {}
+            Meeting::Along(_) => return None,
             Meeting::At(at, true) => {
                 if exit.as_ref().is_none_or(|exit| at.order(exit).is_lt()) {
                     exit = Some(at);
@@ -208,33 +198,31 @@ impl<T> Subject<T> {
             [along(point, -random.between(2.0, 20.0), way), way]
         };
         match kind {
-            Kind::Ordinary => {
+            Ordinary | Far => {
                 let target = along(self.inside(random), 0.5 * size, random.point(1.0));
+                let [low, high] = match kind {
+                    Ordinary => [0.3, 1.3],
+                    _ if is_fixed => [2.0, 3.5],
+                    _ => [3.0, 6.0],
+                };
                 let way = random.direction();
-                back(random, target, way)
+                [along(target, -10f64.powf(random.between(low, high)), way), way]
             }
-            Kind::Far => {
-                let target = along(self.inside(random), 0.5 * size, random.point(1.0));
-                let [nearest, farthest] = if is_fixed { [2.0, 3.5] } else { [3.0, 6.0] };
-                let far = 10f64.powf(random.between(nearest, farthest));
-                let way = random.direction();
-                [along(target, -far, way), way]
-            }
-            Kind::Grazing => {
+            Grazing => {
                 let [edge, outwards] = self.on_edge(random);
                 let past = 10f64.powf(random.between(-6.0, -1.0)) * random.sign() * size;
                 let way = unit(cross(outwards, random.direction()));
                 back(random, along(edge, past, outwards), way)
             }
-            Kind::AlongFace => {
+            AlongFace => {
                 let [point, normal] = self.on_face(random);
                 let flat = unit(cross(normal, random.direction()));
                 let way = along(flat, little(random), normal);
                 let beside = along(point, little(random) * size, normal);
                 back(random, beside, way)
             }
-            Kind::FromInside => [self.inside(random), random.direction()],
-            Kind::FromSurface => [self.on_face(random)[0], random.direction()],
+            FromInside => [self.inside(random), random.direction()],
+            FromSurface => [self.on_face(random)[0], random.direction()],
         }
     }
 }

@@ -75,13 +75,14 @@ fn on_line(spans: &Spans<f64>) -> usize {
 impl Truth {
     fn of<Q: Subject>(Query { solid, ray }: &Query<Q>, growth: f64) -> Self {
         let [grown, spans, shrunk] = [growth, 0.0, -growth].map(|by| solid.spans(*ray, by));
-        let both = |ask: fn(&Spans<f64>) -> usize| {
-            let answers = [&grown, &shrunk].map(ask);
-            (answers[0] == answers[1]).then_some(answers[0])
+        // A torus grown may lose a gap, and one shrunk a span: each has one span less than the torus itself.
+        let all = |ask: fn(&Spans<f64>) -> usize| {
+            let [grown, exact, shrunk] = [&grown, &spans, &shrunk].map(ask);
+            (grown == exact && exact == shrunk).then_some(exact)
         };
         let inside = |spans: &Spans<f64>| count(spans, |[enter, exit]| enter < 0.0 && exit > 0.0);
-        let starts_inside = both(inside).map(|count| count > 0);
-        Self { spans, ahead: both(ahead), on_line: both(on_line), starts_inside }
+        let starts_inside = all(inside).map(|count| count > 0);
+        Self { spans, ahead: all(ahead), on_line: all(on_line), starts_inside }
     }
 }
 
