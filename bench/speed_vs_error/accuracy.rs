@@ -8,11 +8,11 @@
 //!   and oracle have a span. A method that gives the first crossing only is asked about rays that
 //!   start robustly inside or outside: its answer is compared with the exit or with the entry.
 
-use crate::methods::{Answer, Gives, Method, ULP};
+use crate::methods::{Answer, Gives, Inputs, Method, ULP};
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use testkit::oracle::Truth;
 use testkit::query::Query;
-use testkit::ulp::ulp_at;
+use testkit::ulp::{percentiles, ulp_at};
 
 /// What was found out about a method on some rays.
 #[derive(Debug, Clone, Default)]
@@ -83,12 +83,9 @@ impl Accuracy {
                 (Gives::First, _) => [false, false],
             };
             for end in (0..2).filter(|&end| compared[end]) {
+                self.compare(method.inputs, end, got[end], want[end]);
                 let (error, unit) =
                     ((got[end] - want[end]).abs(), (method.inputs.unit_at)(want[end]));
-                self.errors[end].push(error / unit);
-                if method.inputs.unit != ULP {
-                    self.converted[end].push(error / ulp_at(want[end]));
-                }
                 let nearest = want.map(|t| (t / unit).round());
                 // The exact end itself was rounded to an f64.
                 let is_nearest = error <= (0.5 + 1e-6) * unit;
@@ -101,6 +98,15 @@ impl Accuracy {
             let unit = (method.inputs.point_unit)(query);
             let is_fixed = method.inputs.is_exact;
             self.points.extend(point(query).map(|at| off_surface(query, at, is_fixed) / unit));
+        }
+    }
+
+    /// Notes how far an end of a span is off.
+    pub fn compare(&mut self, inputs: &Inputs, end: usize, got: f64, want: f64) {
+        let error = (got - want).abs();
+        self.errors[end].push(error / (inputs.unit_at)(want));
+        if inputs.unit != ULP {
+            self.converted[end].push(error / ulp_at(want));
         }
     }
 
@@ -132,6 +138,12 @@ impl Accuracy {
     /// Answers of NaN, panics, and valid rays not taken.
     pub fn other(&self) -> usize {
         self.nans + self.panics + self.refused
+    }
+
+    /// The 99th percentile in ulps of an `f32`, of the end that is farther off.
+    pub fn p99_ulps(&self) -> Option<f64> {
+        let p99 = |end| percentiles(self.in_ulps(end)).map(|[_, p99, _]| p99);
+        [p99(0), p99(1)].into_iter().flatten().reduce(f64::max)
     }
 
     /// The errors of t_in or t_out in ulps of an `f32`, whatever the method counts in.

@@ -1,16 +1,17 @@
-//! Speed against error: methods of casting a ray at a cylinder or a ball, on rays that break some of
-//! them; and of evaluating a B-spline, on curves that break some.
+//! Speed against error: methods of casting a ray at a cylinder, a sphere or another solid, on rays that
+//! break some of them; and of evaluating a B-spline, on curves that break some.
 //!
 //! `cargo bench --package bench --bench speed_vs_error -- --help`
 
 mod accuracy;
-mod balls;
 mod formulas;
 mod methods;
 mod plot;
 mod rays;
 mod report;
 mod results;
+mod solids;
+mod spheres;
 mod splines;
 mod targets;
 #[path = "../timing.rs"]
@@ -23,8 +24,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Measures time and error of several methods of casting a ray at a cylinder, on 37 sets of rays, or
-/// at a ball, on 4, and of evaluating B-splines.
+/// Measures time and error of several methods of casting a ray at a cylinder, on 37 sets of rays, at a
+/// sphere, on 4, at five other solids, on 6 each, and of evaluating B-splines.
 ///
 /// Prints tables and writes docs/speed_vs_error.svg, and in docs/measured speed_vs_error.md,
 /// speed_vs_error.csv and speed_vs_error_splines.csv.
@@ -55,16 +56,21 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     let args = Args::parse();
     let checked = testkit::cylinder_table::check_oracle()?;
     println!("The oracle agrees with all {checked} reference rays.");
+    let checked = solids::check_references()?;
+    println!("References of cones and tori are exact on all {checked} rays that were checked.");
 
     let quick = args.quick || !args.bench;
     let (count, rounds) = if quick { (2000, 9) } else { (20_000, 51) };
     let count = args.rays.unwrap_or(count);
     let results = Results::measure(methods::methods(), rays::SETS, count, rounds);
-    let balls = Results::measure(balls::methods(), balls::SETS, count, rounds);
+    let spheres = Results::measure(spheres::methods(), spheres::SETS, count, rounds);
+    let solids = solids::measure(count, rounds);
     println!("{count} rays a set; time as a multiple of the textbook f32 formula's.");
     print!("{}", report::table(&results));
-    println!("\nBalls; time as a multiple of the textbook formula's for balls.");
-    print!("{}", report::table(&balls));
+    println!("\nSpheres; time as a multiple of the textbook formula's for spheres.");
+    print!("{}", report::table(&spheres));
+    println!("\nOther solids; time as a multiple of each one's textbook method's.");
+    print!("{}", solids::table(&solids));
 
     let curves = if quick { 20 } else { 400 };
     let splines = splines::Results::measure(curves, rounds)?;
@@ -81,19 +87,28 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     };
     let measured = folder.join("measured");
     fs::create_dir_all(&measured)?;
-    fs::write(measured.join("speed_vs_error.csv"), report::csv(&[&results, &balls]))?;
-    let markdown = report::markdown(&results, &balls) + &splines::markdown(&splines);
-    fs::write(measured.join("speed_vs_error.md"), markdown)?;
+    let rows = report::csv(&[&results, &spheres]) + &solids::csv(&solids);
+    fs::write(measured.join("speed_vs_error.csv"), rows)?;
+    let markdown = [
+        report::markdown(&results, &spheres),
+        solids::markdown(&solids, count),
+        splines::markdown(&splines),
+    ];
+    fs::write(measured.join("speed_vs_error.md"), markdown.concat())?;
     fs::write(measured.join("speed_vs_error_splines.csv"), splines::csv(&splines))?;
-    plot::write(&results, &splines, &folder.join("speed_vs_error.svg"))?;
+    plot::write(&results, &solids, &splines, &folder.join("speed_vs_error.svg"))?;
 
     let mut failed = false;
     for shipped in methods::SHIPPED {
-        let shortfalls = [&results, &balls].map(|part| shortfalls(part, shipped)).concat();
+        let shortfalls = [&results, &spheres].map(|part| shortfalls(part, shipped)).concat();
         println!("\nTargets missed by {}: {}", shipped.join(" "), shortfalls.len());
         shortfalls.iter().for_each(|shortfall| println!("  {shortfall}"));
         failed |= args.check && !shortfalls.is_empty();
     }
+    let shortfalls: Vec<String> = solids.iter().flat_map(solids::shortfalls).collect();
+    println!("\nTargets missed by other solids: {}", shortfalls.len());
+    shortfalls.iter().for_each(|shortfall| println!("  {shortfall}"));
+    failed |= args.check && !shortfalls.is_empty();
     let shortfalls = splines::shortfalls(&splines);
     println!("\nTargets missed by splines: {}", shortfalls.len());
     shortfalls.iter().for_each(|shortfall| println!("  {shortfall}"));

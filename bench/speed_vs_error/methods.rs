@@ -32,7 +32,7 @@ pub struct Inputs {
 }
 
 /// Queries in `f32`; also for `f64` methods, so that errors compare.
-static F32: Inputs = Inputs {
+pub static F32: Inputs = Inputs {
     name: "f32",
     unit: ULP,
     unit_at: ulp_at,
@@ -46,7 +46,7 @@ static F32: Inputs = Inputs {
 pub const ULP: &str = "ulp";
 
 /// Queries on the grid of multiples of 2⁻¹⁶, whose units are the same everywhere.
-static GRID: Inputs = Inputs {
+pub static GRID: Inputs = Inputs {
     name: "I16F16",
     unit: "LSB",
     unit_at: |_| UNIT,

@@ -3,6 +3,7 @@
 use crate::methods::ULP;
 use crate::rays::Group;
 use crate::results::{Results, Row};
+use crate::solids::{self, Kind};
 use crate::splines;
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -10,26 +11,30 @@ use std::error::Error;
 use std::path::Path;
 use testkit::ulp::percentiles;
 
-/// Some rays of a kind that tells methods apart.
-struct Panel {
+/// Some rays at cylinders of a kind that tells methods apart.
+struct OfCylinders {
     title: &'static str,
     shows: fn(&Row) -> bool,
     target_ulps: f64,
 }
 
-const PANELS: [Panel; 4] = [
-    Panel { title: "ordinary rays", shows: |row| row.set.group == Group::Benign, target_ulps: 2.0 },
-    Panel {
+const CYLINDERS: [OfCylinders; 4] = [
+    OfCylinders {
+        title: "ordinary rays",
+        shows: |row| row.set.group == Group::Benign,
+        target_ulps: 2.0,
+    },
+    OfCylinders {
         title: "from 10³ to 10⁶ radii away",
         shows: |row| row.set.group == Group::Far,
         target_ulps: 2.0,
     },
-    Panel {
+    OfCylinders {
         title: "grazing by 10⁻⁵ radii",
         shows: |row| row.set.name == "graze_1e-5",
         target_ulps: 2.0,
     },
-    Panel {
+    OfCylinders {
         title: "10⁻² to 10⁻⁶ rad off the axis",
         shows: |row| row.set.group == Group::NearParallel,
         target_ulps: 2.5,
@@ -55,6 +60,14 @@ const TARGET_RATIO: f64 = 1.5;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
+/// What is drawn in a panel.
+struct Panel {
+    title: String,
+    marks: Vec<Mark>,
+    /// Time and error; no time is a target of other solids than cylinders.
+    target: [f64; 2],
+}
+
 /// Where a method is in a panel.
 struct Mark {
     method: usize,
@@ -66,21 +79,31 @@ struct Mark {
 
 pub fn write(
     results: &Results,
+    solids: &[solids::Part],
     splines: &splines::Results,
     path: &Path,
 ) -> Result<(), Box<dyn Error>> {
-    let panels = PANELS.map(|panel| (marks(results, panel.shows), panel));
-    let all = || panels.iter().flat_map(|(marks, _)| marks);
+    let cylinders = CYLINDERS.map(|OfCylinders { title, shows, target_ulps }| Panel {
+        title: title.into(),
+        marks: marks(results, shows),
+        target: [TARGET_RATIO, target_ulps],
+    });
+    let mut others: Vec<Panel> =
+        solids.iter().map(|part| of_solid(part, Kind::Ordinary, results)).collect();
+    others.extend(solids.last().map(|part| of_solid(part, Kind::Grazing, results)));
+    let all = || cylinders.iter().chain(&others).flat_map(|panel| &panel.marks);
     let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(10.0, f64::max);
     let ratio_limit = 1.6 * largest(&mut all().map(|mark| mark.ratio));
     let error_limit = 4.0 * largest(&mut all().map(|mark| mark.error).filter(|e| e.is_finite()));
 
-    let root = SVGBackend::new(path, (900, 1240)).into_drawing_area();
+    let root = SVGBackend::new(path, (900, 1800)).into_drawing_area();
     root.fill(&WHITE)?;
-    let (rays, splines_area) = root.split_vertically(880);
-    let (plots, legend) = rays.split_vertically(720);
-    for (area, (marks, panel)) in plots.split_evenly((2, 2)).iter().zip(&panels) {
-        draw_panel(area, panel, marks, results, [ratio_limit, error_limit])?;
+    let (rays, splines_area) = root.split_vertically(1440);
+    let (plots, legend) = rays.split_vertically(1280);
+    let (above, below) = plots.split_vertically(720);
+    let areas = [above.split_evenly((2, 2)), below.split_evenly((2, 3))].concat();
+    for (area, panel) in areas.iter().zip(cylinders.iter().chain(&others)) {
+        draw_panel(area, panel, results, [ratio_limit, error_limit])?;
     }
     draw_legend(&legend, results)?;
     splines::draw(&splines_area, splines)?;
@@ -108,15 +131,33 @@ fn marks(results: &Results, shows: fn(&Row) -> bool) -> Vec<Mark> {
         .collect()
 }
 
+/// A method has the mark of that of cylinders with the same name.
+fn of_solid(part: &solids::Part, kind: Kind, results: &Results) -> Panel {
+    let mark = |row: &solids::Row| {
+        let label = part.methods[row.method].label();
+        let accuracy = &row.accuracy;
+        Some(Mark {
+            method: results.methods.iter().position(|method| method.label() == label)?,
+            ratio: row.cost?.ratio,
+            error: accuracy.p99_ulps()?.max(LEAST_ERROR),
+            reliable: accuracy.false_hits + accuracy.false_misses == 0,
+        })
+    };
+    Panel {
+        title: format!("{}, {}", part.name, kind.name()),
+        marks: part.rows.iter().filter(|row| row.kind == kind).filter_map(mark).collect(),
+        target: [f64::INFINITY, part.limits.p99.float],
+    }
+}
+
 fn draw_panel(
     area: &Area<'_>,
     panel: &Panel,
-    marks: &[Mark],
     results: &Results,
     [ratio_limit, error_limit]: [f64; 2],
 ) -> Result<(), Box<dyn Error>> {
     let mut chart = ChartBuilder::on(area)
-        .caption(panel.title, ("sans-serif", 17))
+        .caption(&panel.title, ("sans-serif", 17))
         .margin(10)
         .margin_right(22)
         .x_label_area_size(44)
@@ -137,9 +178,10 @@ fn draw_panel(
             error => format!("{error}"),
         })
         .draw()?;
-    let target = [(0.5, 0.7 * LEAST_ERROR), (TARGET_RATIO, panel.target_ulps)];
+    let [ratio, error] = panel.target;
+    let target = [(0.5, 0.7 * LEAST_ERROR), (ratio.min(ratio_limit), error)];
     chart.draw_series([Rectangle::new(target, GREEN.mix(0.12).filled())])?;
-    for mark in marks {
+    for mark in &panel.marks {
         let at = (mark.ratio, mark.error.min(error_limit));
         let style = style(results, mark.method, mark.reliable);
         if is_fixed(results, mark.method) {
@@ -180,8 +222,8 @@ fn draw_legend(area: &Area<'_>, results: &Results) -> Result<(), Box<dyn Error>>
     let notes = [
         "filled: no ray gets a wrong class that 10⁻⁶ of the size doesn't change; \
          open: some do",
-        "green: the target of f32; at the lower edge: below 0.1 ulp; f64 is done in hardware here, as on \
-         few microcontrollers",
+        "above: cylinders; green: the target of f32 (for ordinary rays at other solids, of the error alone); at \
+         the lower edge: below 0.1 ulp",
         "triangles: fixed point, right within half a unit of 2⁻¹⁶ (spans of a unit: 1.5); that is many ulps of an f32 \
          near by and few far away,",
         "where it was asked about the rays that it can hold: of those from afar, the ones from 10³ radii",

@@ -29,10 +29,10 @@ pub enum Group {
     Fixed,
     FixedShort,
     Invalid,
-    Ball,
-    BallInside,
-    BallGraze,
-    BallNear,
+    Sphere,
+    SphereInside,
+    SphereGraze,
+    SphereNear,
 }
 
 impl Group {
@@ -56,10 +56,10 @@ impl Group {
         (Self::Fixed, "fixed"),
         (Self::FixedShort, "fixed_short"),
         (Self::Invalid, "invalid"),
-        (Self::Ball, "ball"),
-        (Self::BallInside, "ball_inside"),
-        (Self::BallGraze, "ball_graze"),
-        (Self::BallNear, "ball_near"),
+        (Self::Sphere, "sphere"),
+        (Self::SphereInside, "sphere_inside"),
+        (Self::SphereGraze, "sphere_graze"),
+        (Self::SphereNear, "sphere_near"),
     ];
 }
 
@@ -79,8 +79,8 @@ pub enum Size {
     Moved,
     /// As moved, but so that the line comes 256 times nearer to the scene's origin than the ray starts.
     Past,
-    /// Balls, up to 4 units from the origin each way.
-    Ball,
+    /// Spheres, up to 4 units from the origin each way.
+    Sphere,
     Tiny,
     Huge,
     /// A few units of 2⁻¹⁶ thick.
@@ -156,7 +156,7 @@ impl Set {
                 Size::Moved | Size::Past => {
                     (random.between(0.3, 1.5), on_grid(random.between(0.5, 2.5)))
                 }
-                Size::Ball => [random.between(0.3, 1.5); 2].into(),
+                Size::Sphere => [random.between(0.3, 1.5); 2].into(),
                 Size::Tiny => (random.between(1e-3, 2e-3), random.between(0.5, 1.5)),
                 Size::Huge => (random.between(1e4, 2e4), random.between(0.5e4, 2.5e4)),
                 Size::Units => (UNIT * (1.0 + random.below(64) as f64), random.between(0.5, 2.5)),
@@ -174,7 +174,7 @@ impl Set {
             while queries.len() < count * (i + 1) / CYLINDERS {
                 let query = Query::new((self.draw)(&mut random, r, h), r, h);
                 let [x, y, z] = match self.size {
-                    Size::Moved | Size::Ball => [(); 3].map(|()| random.between(-4.0, 4.0)),
+                    Size::Moved | Size::Sphere => [(); 3].map(|()| random.between(-4.0, 4.0)),
                     Size::Past => past_origin(&mut random, &query),
                     _ => {
                         queries.push(query);
@@ -182,7 +182,7 @@ impl Set {
                     }
                 };
                 let moved = query.moved([on_grid(x), rounded(y), rounded(z)], i % 3);
-                queries.push(Query { is_ball: matches!(self.size, Size::Ball), ..moved });
+                queries.push(Query { is_ball: matches!(self.size, Size::Sphere), ..moved });
             }
         }
         queries

@@ -5,8 +5,9 @@ use crate::accuracy::Accuracy;
 use crate::methods::Inputs;
 use crate::rays::{Group, Set};
 use Group::{
-    Ball, BallGraze, BallInside, BallNear, Benign, BenignMoved, Far, FarMoved, Fixed, FixedShort,
-    Graze, GrazeMoved, Huge, Inside, InsideMoved, Invalid, NearParallel, PastOrigin, Rim, Tiny,
+    Benign, BenignMoved, Far, FarMoved, Fixed, FixedShort, Graze, GrazeMoved, Huge, Inside,
+    InsideMoved, Invalid, NearParallel, PastOrigin, Rim, Sphere, SphereGraze, SphereInside,
+    SphereNear, Tiny,
 };
 use Groups::{AllBut, Only};
 use testkit::limits::{
@@ -43,11 +44,11 @@ struct Target {
 const JUDGED: Groups = AllBut(&[Rim, Fixed, FixedShort, Invalid]);
 /// Where hit points are on the face that is seen, with its ends.
 const POINTED: Groups = AllBut(&[Fixed, FixedShort, Invalid]);
-const SHARP: Groups = Only(&[Benign, Far, Graze, GrazeMoved, BallGraze]);
+const SHARP: Groups = Only(&[Benign, Far, Graze, GrazeMoved, SphereGraze]);
 const SHARP_ENOUGH: Groups =
-    Only(&[NearParallel, Tiny, Huge, Inside, InsideMoved, PastOrigin, BallInside, BallNear]);
+    Only(&[NearParallel, Tiny, Huge, Inside, InsideMoved, PastOrigin, SphereInside, SphereNear]);
 /// Where plain sums begin with a difference that is rounded: to an axis or a centre that isn't at 0.
-const ELSEWHERE: Groups = Only(&[BenignMoved, FarMoved, Ball]);
+const ELSEWHERE: Groups = Only(&[BenignMoved, FarMoved, Sphere]);
 
 const TARGETS: &[Target] = &[
     Target { what: "wrong robust classes", groups: JUDGED, figure: wrong, limit: 0.0 },

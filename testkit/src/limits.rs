@@ -18,9 +18,14 @@ impl Units {
         Self { float, fixed }
     }
 
+    /// The units of a kind of numbers.
+    pub fn of_kind(self, is_fixed: bool) -> f64 {
+        if is_fixed { self.fixed } else { self.float }
+    }
+
     /// The allowed error of a number type.
     pub fn of<S: Tested>(self) -> f64 {
-        S::UNIT * if S::IS_FIXED { self.fixed } else { self.float }
+        S::UNIT * self.of_kind(S::IS_FIXED)
     }
 }
 
@@ -89,6 +94,20 @@ pub const POINT_F32: f64 = 2e-7;
 pub const FIXED_P99: f64 = 1.0;
 pub const FIXED_MAX: f64 = 2.0;
 pub const POINT_FIXED: f64 = 2.0;
+
+/// What the benchmark allows of a kind of solids.
+#[derive(Debug, Clone, Copy)]
+pub struct SolidLimits {
+    /// The 99th percentile of entries and of exits of ordinary rays, in ulps or in LSB.
+    pub p99: Units,
+    /// Wrong classes, as a part of those that are robust.
+    pub wrong: f64,
+}
+
+/// Boxes, polyhedra, cones and ellipsoids.
+pub const SOLIDS: SolidLimits = SolidLimits { p99: Units::new(3.0, 1.0), wrong: 0.0 };
+/// Tori.
+pub const TORI: SolidLimits = SolidLimits { p99: Units::new(16.0, 4.0), wrong: 1e-5 };
 
 // Pictures.
 

@@ -1,4 +1,4 @@
-//! Balls that stand anywhere: rays at them, and what is compared on them.
+//! Spheres that stand anywhere: rays at them, and what is compared on them.
 
 use crate::formulas;
 use crate::methods::{Gives, Method, SHIPPED, SurfacePoint};
@@ -14,19 +14,19 @@ use testkit::random::Random;
 use testkit::vector::{V, along, unit};
 
 pub const SETS: &[Set] = &[
-    Set { name: "ball", group: Group::Ball, size: Size::Ball, draw: benign },
-    Set { name: "ball_inside", group: Group::BallInside, size: Size::Ball, draw: inside },
-    Set { name: "ball_graze", group: Group::BallGraze, size: Size::Ball, draw: graze },
-    Set { name: "ball_near", group: Group::BallNear, size: Size::Ball, draw: near },
+    Set { name: "sphere", group: Group::Sphere, size: Size::Sphere, draw: benign },
+    Set { name: "sphere_inside", group: Group::SphereInside, size: Size::Sphere, draw: inside },
+    Set { name: "sphere_graze", group: Group::SphereGraze, size: Size::Sphere, draw: graze },
+    Set { name: "sphere_near", group: Group::SphereNear, size: Size::Sphere, draw: near },
 ];
 
-/// A point of a ball around the origin; uniform.
+/// A point of a sphere around the origin; uniform.
 fn point_in(random: &mut Random, r: f64) -> V {
     let distance = r * random.between(0.0, 1.0).cbrt();
     random.direction().map(|x| distance * x)
 }
 
-/// From 3 to 10 radii away, towards a point in the ball scaled by 1.2.
+/// From 3 to 10 radii away, towards a point in the sphere scaled by 1.2.
 fn benign(random: &mut Random, r: f64, _: f64) -> [V; 2] {
     let distance = r * random.between(3.0, 10.0);
     let origin = random.direction().map(|x| distance * x);
@@ -83,17 +83,17 @@ macro_rules! shipped {
             Some((o, d, Sphere::<$Scalar>::new(vec3(x, y, z), $number(query.radius)).ok()?))
         }
 
-        fn $trace(&(o, d, ref ball): &Ready<$Scalar>) -> Option<[$Scalar; 2]> {
+        fn $trace(&(o, d, ref sphere): &Ready<$Scalar>) -> Option<[$Scalar; 2]> {
             let ray = Ray::new(o.into(), d.into()).ok()?;
             let mut list = SpanList::<$Scalar, 1>::new();
-            ball.trace(&ray, &mut list).first().map(|span| [span.enter.t, span.exit.t])
+            sphere.trace(&ray, &mut list).first().map(|span| [span.enter.t, span.exit.t])
         }
 
         #[allow(dead_code)] // not of every type
         fn $point(query: &Query) -> Option<SurfacePoint> {
-            let (o, d, ball) = $ready(query)?;
+            let (o, d, sphere) = $ready(query)?;
             let ray = Ray::new(o.into(), d.into()).ok()?;
-            let hit = ball.hit(&ray, &mut SpanList::<$Scalar, 1>::new())?;
+            let hit = sphere.hit(&ray, &mut SpanList::<$Scalar, 1>::new())?;
             Some(([hit.point.x, hit.point.y, hit.point.z].map(f64::from), true))
         }
     };
@@ -109,6 +109,6 @@ fn parry_input(query: &Query) -> Option<(parry3d::query::Ray, parry3d::shape::Ba
     Some((ray, parry3d::shape::Ball::new(r)))
 }
 
-fn parry((ray, ball): &(parry3d::query::Ray, parry3d::shape::Ball)) -> Option<[f32; 2]> {
-    ball.cast_local_ray(ray, f32::MAX, false).map(|t| [t, t])
+fn parry((ray, sphere): &(parry3d::query::Ray, parry3d::shape::Ball)) -> Option<[f32; 2]> {
+    sphere.cast_local_ray(ray, f32::MAX, false).map(|t| [t, t])
 }
