@@ -1,12 +1,11 @@
 //! Curves as polynomials, piece by piece.
 
-mod bake;
 mod fixed;
 mod float;
 mod layout;
 pub(super) mod piece;
 mod polynomial;
-mod search;
+pub(super) mod search;
 
 use super::domain::{Domain, Outside};
 use super::error::EvaluateError;
@@ -26,12 +25,12 @@ use piece::PieceOf;
 pub struct Baked<P: Point, const K: usize, const SPANS: usize> {
     /// Where the pieces start: a [tree](search). Keys are counted from `outside` on, so that all parameters
     /// outside of the domain are before those inside.
-    nodes: Pieces<P, [Key<P>; 2], SPANS>,
+    pub(super) nodes: Pieces<P, [Key<P>; 2], SPANS>,
     /// The key behind that of the end.
-    outside: Key<P>,
-    from: Key<P>,
-    end: Key<P>,
-    pieces: Pieces<P, PieceOf<P, K>, SPANS>,
+    pub(super) outside: Key<P>,
+    pub(super) from: Key<P>,
+    pub(super) end: Key<P>,
+    pub(super) pieces: Pieces<P, PieceOf<P, K>, SPANS>,
 }
 
 type Key<P> = <<P as Point>::Scalar as SplineScalar>::Key;

@@ -52,7 +52,8 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
             if !x.is_finite() {
                 return Err(CurveError::NotFinite);
             }
-            if x.abs() > P::Scalar::LARGEST {
+            let [lowest, highest] = P::Scalar::RANGE;
+            if *x < lowest || highest < *x {
                 return Err(CurveError::TooFar);
             }
         }

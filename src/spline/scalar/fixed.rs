@@ -97,7 +97,7 @@ impl<F: Fraction> SplineScalar for FixedI32<F> {
     /// The whole units of the value in the middle of the span.
     type Base = i32;
 
-    const LARGEST: Self = Self::MAX;
+    const RANGE: [Self; 2] = [Self::MIN, Self::MAX];
     const NOTHING: i64 = 0;
     const FULL: i64 = 1 << (GUARD + F::BITS);
     const NONE: i64 = 0;
@@ -224,11 +224,6 @@ impl<F: Fraction> SplineScalar for FixedI32<F> {
         pieces: &Self::Pieces<T, SPANS>,
     ) -> &[T] {
         pieces.as_flattened()
-    }
-
-    #[inline]
-    fn before(t: Self, end: Self) -> Self {
-        Self::from_bits(t.to_bits().min(end.to_bits().saturating_sub(1)))
     }
 
     #[inline]

@@ -14,6 +14,9 @@ pub trait FloatSpline: Float {
     /// A quarter of the largest number.
     const QUARTER: Self;
 
+    /// As [`SplineScalar::RANGE`].
+    const COORDINATES: [Self; 2];
+
     /// The remainder of a division, exactly; it has the sign of `self`.
     #[must_use]
     fn remainder(self, divisor: Self) -> Self;
@@ -34,6 +37,7 @@ macro_rules! floats {
             type Bits = $Bits;
 
             const QUARTER: Self = Self::MAX / 4.0;
+            const COORDINATES: [Self; 2] = [-Self::MAX_COORDINATE, Self::MAX_COORDINATE];
 
             #[inline]
             fn remainder(self, divisor: Self) -> Self {
@@ -138,7 +142,7 @@ impl<S: FloatSpline> SplineScalar for S {
     type Key = S::Bits;
     type Base = ();
 
-    const LARGEST: Self = Self::MAX_COORDINATE;
+    const RANGE: [Self; 2] = Self::COORDINATES;
     const NOTHING: Self = S::ZERO;
     const FULL: Weight<Self> = Weight(Double { high: S::ONE, low: S::ZERO });
     const NONE: Weight<Self> = Weight(Double { high: S::ZERO, low: S::ZERO });
@@ -285,11 +289,6 @@ impl<S: FloatSpline> SplineScalar for S {
         pieces: &Self::Pieces<T, SPANS>,
     ) -> &[T] {
         pieces.as_flattened()
-    }
-
-    #[inline]
-    fn before(t: Self, end: Self) -> Self {
-        t.min(end.next_below())
     }
 
     #[inline]

@@ -39,9 +39,9 @@ pub trait SplineScalar: Scalar {
     #[doc(hidden)]
     type Base: Copy + Debug + PartialEq + 'static;
 
-    /// The largest coordinate of a control point.
+    /// The smallest and the largest coordinate of a control point.
     #[doc(hidden)]
-    const LARGEST: Self;
+    const RANGE: [Self; 2];
     /// 0.
     #[doc(hidden)]
     const NOTHING: Self::Inner;
@@ -147,10 +147,6 @@ pub trait SplineScalar: Scalar {
     fn pieces<T: Copy + Debug + PartialEq, const SPANS: usize>(
         pieces: &Self::Pieces<T, SPANS>,
     ) -> &[T];
-
-    /// The smaller one of t and the last number before `end`.
-    #[doc(hidden)]
-    fn before(t: Self, end: Self) -> Self;
 
     /// Where a parameter is in a baked span: from −1 to 1, in fixed point from −1/2 to 1/2 of 2³².
     #[doc(hidden)]
