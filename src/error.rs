@@ -1,8 +1,21 @@
 //! What every error type of the crate can do, written once.
 
-/// Gives an error enum its texts: `as_str` (`const`, for messages at compile time), `Display` and
-/// `core::error::Error`.
+/// Declares an error enum, each variant with its text: `as_str` (`const`, for messages at compile time),
+/// `Display` and `core::error::Error`. The second form gives texts to an enum that stands elsewhere.
 macro_rules! error_text {
+    ($(#[$about:meta])* pub enum $Error:ident {
+        $($(#[$when:meta])* $Variant:ident => $text:literal,)+
+    }) => {
+        $(#[$about])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[non_exhaustive]
+        pub enum $Error {
+            $($(#[$when])* $Variant,)+
+        }
+
+        crate::error_text!($Error { $($Variant => $text),+ });
+    };
     ($Error:ident { $($Variant:ident => $text:literal),+ $(,)? }) => {
         impl $Error {
             /// What is wrong, in a sentence.

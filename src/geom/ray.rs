@@ -24,29 +24,21 @@ impl<S: Scalar> Line<S> {
     }
 }
 
-/// Why a ray can't be used.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum RayError {
-    /// A coordinate is infinite or NaN.
-    NotFinite,
-    /// The direction is zero.
-    ZeroDirection,
-    /// The origin is farther from the scene's than [`Scalar::MAX_COORDINATE`].
-    TooFar,
-    /// The largest coordinate of the direction is not between [`Scalar::SHORTEST`] and
-    /// [`Scalar::LONGEST`]. In fixed point, parameters would not fit the number type; floating point
-    /// takes every length.
-    DirectionLength,
+crate::error_text! {
+    /// Why a ray can't be used.
+    pub enum RayError {
+        /// A coordinate is infinite or NaN.
+        NotFinite => "a coordinate of the ray is infinite or not a number",
+        /// The direction is zero.
+        ZeroDirection => "the direction of the ray is zero",
+        /// The origin is farther from the scene's than [`Scalar::MAX_COORDINATE`].
+        TooFar => "the ray starts too far away for its number type",
+        /// The largest coordinate of the direction is not between [`Scalar::SHORTEST`] and
+        /// [`Scalar::LONGEST`]. In fixed point, parameters would not fit the number type; floating point
+        /// takes every length.
+        DirectionLength => "the direction of the ray is too short or too long for its number type",
+    }
 }
-
-crate::error_text!(RayError {
-    NotFinite => "a coordinate of the ray is infinite or not a number",
-    ZeroDirection => "the direction of the ray is zero",
-    TooFar => "the ray starts too far away for its number type",
-    DirectionLength => "the direction of the ray is too short or too long for its number type",
-});
 
 /// A ray `p(t) = origin + t · direction`, t ≥ 0, checked and made ready for any number of solids.
 ///

@@ -2,9 +2,8 @@
 
 use super::baked::Baked;
 use super::curve::Curve;
-use super::curve::flatten::{Flatten, Lengths, Vertex};
+use super::curve::flatten::Vertex;
 use super::point::Point;
-use super::sweep::Sweep;
 use defmt::{Format, Formatter, write};
 
 impl<P: Point + Format, const K: usize, const C: usize, const N: usize> Format for Curve<P, K, C, N>
@@ -31,23 +30,5 @@ where
 {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "Vertex {{ t: {}, point: {} }}", self.t, self.point);
-    }
-}
-
-impl<P: Point, const K: usize> Format for Flatten<'_, P, K> {
-    fn format(&self, f: Formatter<'_>) {
-        write!(f, "Flatten, at vertex {} of span {}", self.vertices.next, self.vertices.span);
-    }
-}
-
-impl<P: Point, const K: usize> Format for Lengths<'_, P, K> {
-    fn format(&self, f: Formatter<'_>) {
-        write!(f, "Lengths, at vertex {} of span {}", self.vertices.next, self.vertices.span);
-    }
-}
-
-impl<P: Point, const K: usize> Format for Sweep<'_, P, K> {
-    fn format(&self, f: Formatter<'_>) {
-        write!(f, "Sweep, {} points before span {}", self.left, self.span);
     }
 }

@@ -48,7 +48,7 @@ pub use basis::NonZero;
 pub use curve::Curve;
 pub use curve::flatten::{Flatten, Lengths, Vertex};
 pub use domain::{Domain, Outside};
-pub use error::{CurveError, EvaluateError, FlattenError, InsertError, KnotError, SweepError};
+pub use error::{CurveError, EvaluateError, FlattenError, KnotError, SweepError};
 pub use knots::Knots;
 pub use point::Point;
 pub use scalar::SplineScalar;

@@ -1,10 +1,10 @@
 //! Curves as polylines, and their lengths.
 
 use super::Curve;
-use super::triangle::on_span;
+use super::triangle::{on_span, triangle};
 use crate::scalar::Number;
 use crate::spline::error::FlattenError;
-use crate::spline::point::{Inner, Point, combine, inner, outer};
+use crate::spline::point::{Inner, Point, combine, outer};
 use crate::spline::scalar::SplineScalar;
 
 /// A point of a curve, and where it is.
@@ -19,31 +19,25 @@ pub struct Vertex<P: Point> {
 /// The vertices of a polyline that approximates a curve: see [`Curve::flatten`].
 #[derive(Debug, Clone)]
 pub struct Flatten<'a, P: Point, const K: usize> {
-    pub(in crate::spline) vertices: Vertices<'a, P, K>,
+    knots: &'a [P::Scalar],
+    points: &'a [P],
+    tolerance: P::Scalar,
+    span: usize,
+    /// Of this span; 0 before it is known.
+    segments: u32,
+    /// The next vertex of this span.
+    next: u32,
 }
 
 /// The lengths of a curve from its beginning up to the vertices of a polyline: see
 /// [`Curve::lengths`].
 #[derive(Debug, Clone)]
 pub struct Lengths<'a, P: Point, const K: usize> {
-    pub(in crate::spline) vertices: Vertices<'a, P, K>,
+    polyline: Flatten<'a, P, K>,
     last: Option<Inner<P>>,
     length: <P::Scalar as SplineScalar>::Inner,
     /// What its sums lost by rounding.
     rest: <P::Scalar as SplineScalar>::Inner,
-}
-
-/// From vertex to vertex.
-#[derive(Debug, Clone)]
-pub(in crate::spline) struct Vertices<'a, P: Point, const K: usize> {
-    knots: &'a [P::Scalar],
-    points: &'a [P],
-    tolerance: P::Scalar,
-    pub(in crate::spline) span: usize,
-    /// Of this span; 0 before it is known.
-    segments: u32,
-    /// The next vertex of this span.
-    pub(in crate::spline) next: u32,
 }
 
 impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N> {
@@ -73,7 +67,11 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
     /// # Errors
     /// [`FlattenError::Tolerance`] unless the tolerance is positive and finite.
     pub fn flatten(&self, tolerance: P::Scalar) -> Result<Flatten<'_, P, K>, FlattenError> {
-        Ok(Flatten { vertices: self.vertices(tolerance)? })
+        if !(tolerance > P::Scalar::ZERO && tolerance.is_finite()) {
+            return Err(FlattenError::Tolerance);
+        }
+        let (knots, points) = (self.knots.as_slice(), self.points());
+        Ok(Flatten { knots, points, tolerance, span: K - 1, segments: 0, next: 0 })
     }
 
     /// The length of the curve up to each vertex of [`flatten`](Self::flatten), measured along the
@@ -86,78 +84,51 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
     /// # Errors
     /// [`FlattenError::Tolerance`] unless the tolerance is positive and finite.
     pub fn lengths(&self, tolerance: P::Scalar) -> Result<Lengths<'_, P, K>, FlattenError> {
-        let vertices = self.vertices(tolerance)?;
-        Ok(Lengths { vertices, last: None, length: P::Scalar::NOTHING, rest: P::Scalar::NOTHING })
-    }
-
-    fn vertices(&self, tolerance: P::Scalar) -> Result<Vertices<'_, P, K>, FlattenError> {
-        if !(tolerance > P::Scalar::ZERO && tolerance.is_finite()) {
-            return Err(FlattenError::Tolerance);
-        }
-        let (knots, points) = (self.knots.as_slice(), self.points());
-        Ok(Vertices { knots, points, tolerance, span: K - 1, segments: 0, next: 0 })
+        let (polyline, nothing) = (self.flatten(tolerance)?, P::Scalar::NOTHING);
+        Ok(Lengths { polyline, last: None, length: nothing, rest: nothing })
     }
 }
 
-impl<P: Point, const K: usize> Vertices<'_, P, K> {
+impl<P: Point, const K: usize> Flatten<'_, P, K> {
     /// The next vertex and its parameter.
     fn step(&mut self) -> Option<(P::Scalar, Inner<P>)> {
-        loop {
-            if self.span >= self.points.len() {
-                return None;
-            }
+        while self.span < self.points.len() {
             let (low, high) = (*self.knots.get(self.span)?, *self.knots.get(self.span + 1)?);
-            if low < high {
-                if self.segments == 0 {
-                    self.segments = self.needed(low, high);
-                }
-                // The last vertex of a span is the first of the next one, except for the very last
-                // and where the curve may jump.
-                let is_last = high >= *self.knots.get(self.points.len())?;
-                let may_jump = self.knots.iter().filter(|&&knot| knot == high).count() >= K;
-                let vertices = self.segments.saturating_add(u32::from(is_last || may_jump));
-                if self.next < vertices {
-                    let index = self.next;
-                    self.next += 1;
-                    let t = if index >= self.segments {
-                        high
-                    } else {
-                        P::Scalar::between(low, high, index, self.segments)
-                    };
-                    return Some((t, on_span::<P, K>(self.knots, self.points, self.span, t)?));
-                }
+            if self.segments == 0 && low < high {
+                self.segments = self.needed(low, high);
             }
-            self.span += 1;
-            self.segments = 0;
-            self.next = 0;
+            // The last vertex of a span is the first of the next one, except for the very last
+            // and where the curve may jump.
+            let is_last = high >= *self.knots.get(self.points.len())?;
+            let may_jump = self.knots.iter().filter(|&&knot| knot == high).count() >= K;
+            let has_end = low < high && (is_last || may_jump);
+            let index = self.next;
+            if index < self.segments.saturating_add(u32::from(has_end)) {
+                self.next += 1;
+                let t = if index >= self.segments {
+                    high
+                } else {
+                    P::Scalar::between(low, high, index, self.segments)
+                };
+                return Some((t, on_span::<P, K>(self.knots, self.points, self.span, t)?));
+            }
+            (self.span, self.segments, self.next) = (self.span + 1, 0, 0);
         }
+        None
     }
 
     /// In how many parts a span has to be divided.
     fn needed(&self, low: P::Scalar, high: P::Scalar) -> u32 {
-        let first = (self.span + 1).saturating_sub(K);
-        let points = self.points.get(first..).and_then(|points| points.first_chunk::<K>());
-        let lows = self.knots.get(first..).and_then(|knots| knots.first_chunk::<K>());
-        let highs = self.knots.get(self.span + 1..).and_then(|knots| knots.first_chunk::<K>());
-        let (Some(points), Some(lows), Some(highs)) = (points, lows, highs) else { return 1 };
-        if K < 3 {
-            return 1;
-        }
         // Two levels of differences, as if the span had a length of 1: so nothing overflows,
         // however short it is.
-        let mut differences = points.map(inner);
-        for level in 1..3 {
-            for i in 0..K.saturating_sub(level) {
-                let (Some(&from), Some(&to)) = (lows.get(i + level), highs.get(i)) else { break };
-                let Some(&b) = differences.get(i + 1) else { break };
-                let Some(a) = differences.get_mut(i) else { break };
-                combine::<P>(a, b, |a, b| {
-                    P::Scalar::share(P::Scalar::subtract(b, a), [low, high], [from, to])
-                });
-            }
-        }
+        let row = triangle::<P, K>(self.knots, self.points, self.span, 2, |_, a, b, outside| {
+            combine::<P>(a, b, |a, b| {
+                P::Scalar::share(P::Scalar::subtract(b, a), [low, high], outside)
+            });
+            Some(())
+        });
         let mut largest = P::Scalar::NOTHING;
-        for difference in differences.iter().take(K.saturating_sub(2)) {
+        for difference in row.iter().flatten().take(K.saturating_sub(2)) {
             let norm = P::Scalar::norm(difference.as_ref());
             if norm > largest {
                 largest = norm;
@@ -172,7 +143,7 @@ impl<P: Point, const K: usize> Iterator for Flatten<'_, P, K> {
     type Item = Vertex<P>;
 
     fn next(&mut self) -> Option<Vertex<P>> {
-        let (t, point) = self.vertices.step()?;
+        let (t, point) = self.step()?;
         Some(Vertex { t, point: outer(point) })
     }
 }
@@ -182,7 +153,7 @@ impl<P: Point, const K: usize> Iterator for Lengths<'_, P, K> {
     type Item = (P::Scalar, P::Scalar);
 
     fn next(&mut self) -> Option<Self::Item> {
-        let (t, point) = self.vertices.step()?;
+        let (t, point) = self.polyline.step()?;
         if let Some(mut chord) = self.last {
             combine::<P>(&mut chord, point, |from, to| P::Scalar::subtract(to, from));
             let chord = P::Scalar::add(P::Scalar::norm(chord.as_ref()), self.rest);

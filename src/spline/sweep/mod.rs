@@ -48,9 +48,9 @@ pub struct Sweep<'a, P: Point, const K: usize> {
     /// Of the basis functions of the span.
     divisor: u32,
     /// The next span.
-    pub(in crate::spline) span: usize,
+    span: usize,
     /// How many points are left before it begins.
-    pub(in crate::spline) left: u32,
+    left: u32,
     /// Of each coordinate, the value and its differences.
     differences: P::Array<[Quotient; K]>,
 }
@@ -146,7 +146,7 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
             divisor: 1,
             span: 0,
             left: 0,
-            differences: P::map(P::ORIGIN.coordinates(), |_| [Quotient::ZERO; K]),
+            differences: P::filled([Quotient::ZERO; K]),
         };
         let is_given = matches!(pace, Pace::Given { .. });
         let different = if is_given { sweep.spans() } else { 1 };
@@ -216,7 +216,7 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
         for tick in 0..K {
             let weights = ticks.weights(tick as u32);
             let from_span = points.iter().cycle().skip(span);
-            let mut sums = P::map(P::ORIGIN.coordinates(), |_| 0i64);
+            let mut sums = P::filled(0i64);
             for (weight, point) in weights.iter().zip(from_span) {
                 for (sum, x) in sums.as_mut().iter_mut().zip(point.coordinates().as_ref()) {
                     *sum = sum.wrapping_add(weight.wrapping_mul(i64::from(x.to_bits())));
