@@ -3,6 +3,7 @@
 use super::error::EvaluateError;
 use super::scalar::SplineScalar;
 use crate::geom::Vec3;
+use crate::scalar::Number;
 use core::fmt::Debug;
 
 /// A control point, and a point of a curve: a number, a [`Vec3`], or an array of coordinates.
@@ -76,7 +77,7 @@ pub(super) type Inner<P> = <P as Point>::Array<<<P as Point>::Scalar as SplineSc
 /// A point inside of an evaluation.
 #[inline]
 pub(super) fn inner<P: Point>(point: P) -> Inner<P> {
-    let mut inner = P::filled(P::Scalar::NOTHING);
+    let mut inner = P::filled(P::Scalar::ZERO.inner());
     for (inner, x) in inner.as_mut().iter_mut().zip(point.coordinates().as_ref()) {
         *inner = x.inner();
     }

@@ -11,6 +11,7 @@ use super::domain::{Domain, Outside};
 use super::error::EvaluateError;
 use super::point::{Point, direction};
 use super::scalar::SplineScalar;
+use super::scalar::order::Ordered;
 use crate::geom::Vec3;
 use piece::PieceOf;
 
@@ -33,7 +34,7 @@ pub struct Baked<P: Point, const K: usize, const SPANS: usize> {
     pub(super) pieces: Pieces<P, PieceOf<P, K>, SPANS>,
 }
 
-type Key<P> = <<P as Point>::Scalar as SplineScalar>::Key;
+type Key<P> = <<P as Point>::Scalar as Ordered>::Key;
 
 type Pieces<P, T, const SPANS: usize> = <<P as Point>::Scalar as SplineScalar>::Pieces<T, SPANS>;
 

@@ -7,8 +7,8 @@ use crate::spline::baked::{Baked, search};
 use crate::spline::error::CurveError;
 use crate::spline::knots::Knots;
 use crate::spline::point::Point;
-use crate::spline::scalar::SplineScalar;
 use crate::spline::scalar::constant::repeated;
+use crate::spline::scalar::order::Ordered;
 
 macro_rules! constructors {
     ([$($generics:tt)*] $Scalar:ty, $Point:ty, $D:expr, $PIECES:literal, |$point:ident| $coordinates:expr) => {
@@ -59,7 +59,7 @@ macro_rules! constructors {
                 if points.is_empty() || count != knots.points() || count > C {
                     return Err(CurveError::PointCount);
                 }
-                let [lowest, highest] = <$Scalar as SplineScalar>::RANGE;
+                let [lowest, highest] = <$Scalar as Ordered>::RANGE;
                 let points = repeated(points, 0, count, <$Point as Point>::ORIGIN);
                 let rows = Self::rows(&points);
                 let mut rest = rows.as_flattened();

@@ -84,7 +84,7 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
     /// # Errors
     /// [`FlattenError::Tolerance`] unless the tolerance is positive and finite.
     pub fn lengths(&self, tolerance: P::Scalar) -> Result<Lengths<'_, P, K>, FlattenError> {
-        let (polyline, nothing) = (self.flatten(tolerance)?, P::Scalar::NOTHING);
+        let (polyline, nothing) = (self.flatten(tolerance)?, P::Scalar::ZERO.inner());
         Ok(Lengths { polyline, last: None, length: nothing, rest: nothing })
     }
 }
@@ -127,7 +127,7 @@ impl<P: Point, const K: usize> Flatten<'_, P, K> {
             });
             Some(())
         });
-        let mut largest = P::Scalar::NOTHING;
+        let mut largest = P::Scalar::ZERO.inner();
         for difference in row.iter().flatten().take(K.saturating_sub(2)) {
             let norm = P::Scalar::norm(difference.as_ref());
             if norm > largest {

@@ -10,6 +10,7 @@ use super::error::{CurveError, EvaluateError};
 use super::knots::Knots;
 use super::point::{Point, direction, outer};
 use super::scalar::SplineScalar;
+use super::scalar::order::Ordered;
 use crate::geom::Vec3;
 use crate::scalar::Number;
 

@@ -1,6 +1,6 @@
 //! Splines in fixed point: integers with guard bits, rounded once.
 
-use super::{SplineScalar, falling};
+use super::SplineScalar;
 use crate::scalar::integer::{divide, narrow, shift_right};
 use crate::scalar::{FixedI32, Fraction};
 use core::fmt::Debug;
@@ -81,11 +81,6 @@ fn exactly<F: Fraction>(bits: i64) -> Option<FixedI32<F>> {
     i32::try_from(bits).ok().map(FixedI32::from_bits)
 }
 
-#[inline]
-fn held(x: i128) -> i64 {
-    x.clamp(i64::MIN.into(), i64::MAX.into()) as i64
-}
-
 impl<F: Fraction> SplineScalar for FixedI32<F> {
     type Inner = i64;
     type Weight = i64;
@@ -93,12 +88,9 @@ impl<F: Fraction> SplineScalar for FixedI32<F> {
     type LocalMap = FixedMap;
     type Pieces<T: Copy + Debug + PartialEq, const SPANS: usize> = [[T; 1]; SPANS];
     type Coefficient = i32;
-    type Key = u32;
     /// The whole units of the value in the middle of the span.
     type Base = i32;
 
-    const RANGE: [Self; 2] = [Self::MIN, Self::MAX];
-    const NOTHING: i64 = 0;
     const FULL: i64 = 1 << (GUARD + F::BITS);
     const NONE: i64 = 0;
 
@@ -141,26 +133,17 @@ impl<F: Fraction> SplineScalar for FixedI32<F> {
         a.saturating_add(ratio.of(b.saturating_sub(a)))
     }
 
-    fn rise(x: i64, t: Self, low: Self, high: Self) -> i64 {
-        Mixed::new(width(low, t), width(low, high)).of(x)
+    fn share_weight(x: i64, inside: [Self; 2], outside: [Self; 2]) -> i64 {
+        Self::share(x, inside, outside)
     }
 
-    fn fall(x: i64, t: Self, low: Self, high: Self) -> i64 {
-        Mixed::new(width(t, high), width(low, high)).of(x)
-    }
-
-    fn climb(x: i64, degree: u16, low: Self, high: Self) -> i64 {
+    fn climb(x: i64, degree: u16, [low, high]: [Self; 2]) -> i64 {
         Self::slope(0, x, degree, low, high)
     }
 
     #[inline]
     fn add_weights(a: i64, b: i64) -> i64 {
         a.saturating_add(b)
-    }
-
-    #[inline]
-    fn negate_weight(weight: i64) -> i64 {
-        weight.saturating_neg()
     }
 
     #[inline]
@@ -175,11 +158,13 @@ impl<F: Fraction> SplineScalar for FixedI32<F> {
             return 0;
         }
         let rise = (i128::from(b) - i128::from(a)) * i128::from(degree);
-        held(divide(rise << F::BITS, i128::from(width)))
+        // Held inside of a range whose ends have the same size.
+        let most = i128::from(i64::MAX);
+        divide(rise << F::BITS, i128::from(width)).clamp(-most, most) as i64
     }
 
-    fn share(x: i64, [low, high]: [Self; 2], [outer_low, outer_high]: [Self; 2]) -> i64 {
-        Mixed::new(width(low, high), width(outer_low, outer_high)).of(x)
+    fn share(x: i64, [from, to]: [Self; 2], [low, high]: [Self; 2]) -> i64 {
+        Mixed::new(width(from, to), width(low, high)).of(x)
     }
 
     fn wrap(t: Self, from: Self, to: Self) -> Self {
@@ -207,16 +192,6 @@ impl<F: Fraction> SplineScalar for FixedI32<F> {
         let Some(square) = numerator.checked_div(denominator) else { return 1 };
         // ⌈√x⌉ ≤ ⌊√⌊x⌋⌋ + 1.
         u32::try_from(square.isqrt() + 1).unwrap_or(u32::MAX)
-    }
-
-    #[inline]
-    fn after(self, start: u32) -> u32 {
-        self.to_bits().cast_unsigned().wrapping_sub(start)
-    }
-
-    #[inline]
-    fn from_key(key: u32) -> Self {
-        Self::from_bits(key.cast_signed())
     }
 
     #[inline]
@@ -257,7 +232,9 @@ impl<F: Fraction> SplineScalar for FixedI32<F> {
         let sum = terms.fold(0, |sum: i128, (power, c)| {
             // What is held in here is far beyond the range at the end.
             let product = sum.saturating_mul(local) >> 32;
-            let sum = product + i128::from(c) * i128::from(falling(power, order));
+            // i(i−1)…(i−order+1): the factor of a power's derivative.
+            let falling = (0..order).fold(1, |falling, j| falling * (power - j) as i128);
+            let sum = product.saturating_add(falling.saturating_mul(c.into()));
             sum.clamp(-1 << 61, 1 << 61)
         });
         // 2^(shift − 32) is the scale of t, in units of the type.

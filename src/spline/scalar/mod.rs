@@ -7,19 +7,21 @@ pub(super) mod order;
 
 use crate::scalar::Scalar;
 use core::fmt::Debug;
+use core::ops::Neg;
+use order::Ordered;
 
 /// A number type that splines can be made of: every [`Scalar`].
 ///
 /// Inside of an evaluation, numbers are of the type `Inner`: in floating point the type itself; in
 /// fixed point 64 bits, of which 28 are guard bits. So a value is rounded once. Basis functions are
 /// computed in twice the working precision: their errors are relative, and nothing waits for them.
-pub trait SplineScalar: Scalar {
+pub trait SplineScalar: Scalar + Ordered {
     /// A number inside of an evaluation.
     #[doc(hidden)]
     type Inner: Copy + Debug + PartialEq + PartialOrd + 'static;
     /// The value of a basis function inside of an evaluation.
     #[doc(hidden)]
-    type Weight: Copy;
+    type Weight: Copy + Neg<Output = Self::Weight>;
     /// Where a parameter is between two knots.
     #[doc(hidden)]
     type Ratio: Copy;
@@ -32,19 +34,10 @@ pub trait SplineScalar: Scalar {
     /// A coefficient of a baked curve, and the local parameter of a span.
     #[doc(hidden)]
     type Coefficient: Copy + Debug + PartialEq + 'static;
-    /// An unsigned integer: how many numbers lie between two of the type's.
-    #[doc(hidden)]
-    type Key: Copy + Debug + Ord;
     /// What is done to the value of a baked polynomial at the end.
     #[doc(hidden)]
     type Base: Copy + Debug + PartialEq + 'static;
 
-    /// The smallest and the largest coordinate of a control point.
-    #[doc(hidden)]
-    const RANGE: [Self; 2];
-    /// 0.
-    #[doc(hidden)]
-    const NOTHING: Self::Inner;
     /// The weight 1.
     #[doc(hidden)]
     const FULL: Self::Weight;
@@ -89,23 +82,16 @@ pub trait SplineScalar: Scalar {
     #[doc(hidden)]
     fn blend(a: Self::Inner, b: Self::Inner, ratio: Self::Ratio) -> Self::Inner;
 
-    /// `weight·(t − low)/(high − low)`, for `low ≤ t ≤ high`; 0 for knots that coincide.
+    /// `weight·(to − from)/(high − low)`, of an interval inside of another one; 0 for one without length.
     #[doc(hidden)]
-    fn rise(weight: Self::Weight, t: Self, low: Self, high: Self) -> Self::Weight;
-
-    /// `weight·(high − t)/(high − low)`, for `low ≤ t ≤ high`; 0 for knots that coincide.
-    #[doc(hidden)]
-    fn fall(weight: Self::Weight, t: Self, low: Self, high: Self) -> Self::Weight;
+    fn share_weight(weight: Self::Weight, inside: [Self; 2], outside: [Self; 2]) -> Self::Weight;
 
     /// `weight·degree/(high − low)`, held inside of the type's range; 0 for knots that coincide.
     #[doc(hidden)]
-    fn climb(weight: Self::Weight, degree: u16, low: Self, high: Self) -> Self::Weight;
+    fn climb(weight: Self::Weight, degree: u16, interval: [Self; 2]) -> Self::Weight;
 
     #[doc(hidden)]
     fn add_weights(a: Self::Weight, b: Self::Weight) -> Self::Weight;
-
-    #[doc(hidden)]
-    fn negate_weight(weight: Self::Weight) -> Self::Weight;
 
     /// The nearest number.
     #[doc(hidden)]
@@ -115,7 +101,7 @@ pub trait SplineScalar: Scalar {
     #[doc(hidden)]
     fn slope(a: Self::Inner, b: Self::Inner, degree: u16, low: Self, high: Self) -> Self::Inner;
 
-    /// `x·(high − low)/(outer_high − outer_low)`: an interval inside of another one.
+    /// As [`share_weight`](Self::share_weight).
     #[doc(hidden)]
     fn share(x: Self::Inner, inside: [Self; 2], outside: [Self; 2]) -> Self::Inner;
 
@@ -134,14 +120,6 @@ pub trait SplineScalar: Scalar {
     /// `√(norm·factor/(8·tolerance))`, rounded upwards, at least 1.
     #[doc(hidden)]
     fn segments(norm: Self::Inner, factor: u16, tolerance: Self) -> u32;
-
-    /// How many numbers this is behind the one with the key `start`; before it, it is more than any
-    /// number behind it is.
-    #[doc(hidden)]
-    fn after(self, start: Self::Key) -> Self::Key;
-
-    #[doc(hidden)]
-    fn from_key(key: Self::Key) -> Self;
 
     #[doc(hidden)]
     fn pieces<T: Copy + Debug + PartialEq, const SPANS: usize>(
@@ -185,10 +163,4 @@ pub trait SplineScalar: Scalar {
         t: Self,
         map: &Self::LocalMap,
     ) -> Option<Self>;
-}
-
-/// i(i−1)…(i−order+1): the factor of a power's derivative.
-#[inline]
-pub(super) fn falling(i: usize, order: usize) -> i64 {
-    (0..order).fold(1, |product, j| product * (i as i64 - j as i64))
 }

@@ -100,9 +100,6 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
     /// # Errors
     /// [`SweepError::TooFew`] for fewer control points than the order; [`SweepError::Ticks`].
     pub fn new(points: &'a [P], ticks: u32) -> Result<Self, SweepError> {
-        if points.len() < K {
-            return Err(SweepError::TooFew);
-        }
         Self::start(points, Pace::Uniform { ticks, is_closed: false })
     }
 
@@ -111,9 +108,6 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
     /// # Errors
     /// As [`new`](Self::new).
     pub fn closed(points: &'a [P], ticks: u32) -> Result<Self, SweepError> {
-        if points.len() < K {
-            return Err(SweepError::TooFew);
-        }
         Self::start(points, Pace::Uniform { ticks, is_closed: true })
     }
 
@@ -128,11 +122,8 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
     ) -> Result<Self, SweepError> {
         let knots = curve.knots().as_slice();
         let step = u32::try_from(step.to_bits()).map_err(|_| SweepError::Step)?;
-        let is_even = knots.windows(2).all(|pair| match pair {
-            [low, high] => distance(*low, *high).checked_rem(step) == Some(0),
-            _ => true,
-        });
-        if !is_even {
+        let mut intervals = knots.iter().zip(knots.iter().skip(1));
+        if !intervals.all(|(low, high)| distance(*low, *high).checked_rem(step) == Some(0)) {
             return Err(SweepError::Step);
         }
         Self::start(curve.points(), Pace::Given { knots, step })
@@ -140,6 +131,9 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
 
     fn start(points: &'a [P], pace: Pace<'a, FixedI32<F>>) -> Result<Self, SweepError> {
         const { assert!(K >= 1 && K <= 12) };
+        if points.len() < K {
+            return Err(SweepError::TooFew);
+        }
         let mut sweep = Self {
             points,
             pace,
