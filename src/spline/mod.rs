@@ -36,8 +36,6 @@ mod basis;
 mod curve;
 mod domain;
 mod error;
-#[cfg(feature = "defmt")]
-mod format;
 mod knots;
 mod point;
 mod scalar;

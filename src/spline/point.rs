@@ -1,7 +1,7 @@
 //! What control points can be: numbers and vectors.
 
 use super::error::EvaluateError;
-use super::scalar::SplineScalar;
+use super::scalar::{Arithmetic, SplineScalar};
 use crate::geom::Vec3;
 use crate::scalar::Number;
 use core::fmt::Debug;
@@ -72,7 +72,7 @@ points! {
 }
 
 /// The coordinates of a point inside of an evaluation.
-pub(super) type Inner<P> = <P as Point>::Array<<<P as Point>::Scalar as SplineScalar>::Inner>;
+pub(super) type Inner<P> = <P as Point>::Array<<<P as Point>::Scalar as Arithmetic>::Inner>;
 
 /// A point inside of an evaluation.
 #[inline]
@@ -100,9 +100,9 @@ pub(super) fn combine<P: Point>(
     point: &mut Inner<P>,
     other: Inner<P>,
     with: impl Fn(
-        <P::Scalar as SplineScalar>::Inner,
-        <P::Scalar as SplineScalar>::Inner,
-    ) -> <P::Scalar as SplineScalar>::Inner,
+        <P::Scalar as Arithmetic>::Inner,
+        <P::Scalar as Arithmetic>::Inner,
+    ) -> <P::Scalar as Arithmetic>::Inner,
 ) {
     for (x, other) in point.as_mut().iter_mut().zip(other.as_ref()) {
         *x = with(*x, *other);

@@ -10,8 +10,8 @@ pub(super) mod search;
 use super::domain::{Domain, Outside};
 use super::error::EvaluateError;
 use super::point::{Point, direction};
-use super::scalar::SplineScalar;
 use super::scalar::order::Ordered;
+use super::scalar::{Arithmetic, SplineScalar};
 use crate::geom::Vec3;
 use piece::PieceOf;
 
@@ -36,7 +36,7 @@ pub struct Baked<P: Point, const K: usize, const SPANS: usize> {
 
 type Key<P> = <<P as Point>::Scalar as Ordered>::Key;
 
-type Pieces<P, T, const SPANS: usize> = <<P as Point>::Scalar as SplineScalar>::Pieces<T, SPANS>;
+type Pieces<P, T, const SPANS: usize> = <<P as Point>::Scalar as Arithmetic>::Pieces<T, SPANS>;
 
 impl<P: Point, const K: usize, const SPANS: usize> Baked<P, K, SPANS> {
     /// The parameters of the curve.
@@ -129,5 +129,12 @@ impl<S: SplineScalar, const K: usize, const SPANS: usize> Baked<Vec3<S>, K, SPAN
     /// is zero.
     pub fn tangent(&self, t: S, outside: Outside) -> Result<Vec3<S::Unit>, EvaluateError> {
         direction(self.derivative(1, t, outside)?)
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<P: Point, const K: usize, const SPANS: usize> defmt::Format for Baked<P, K, SPANS> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "Baked of {} spans, order {}, {}", SPANS, K, self.domain());
     }
 }

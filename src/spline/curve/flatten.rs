@@ -5,10 +5,11 @@ use super::triangle::{on_span, triangle};
 use crate::scalar::Number;
 use crate::spline::error::FlattenError;
 use crate::spline::point::{Inner, Point, combine, outer};
-use crate::spline::scalar::SplineScalar;
+use crate::spline::scalar::Arithmetic;
 
 /// A point of a curve, and where it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Vertex<P: Point> {
     /// The parameter.
     pub t: P::Scalar,
@@ -18,6 +19,7 @@ pub struct Vertex<P: Point> {
 
 /// The vertices of a polyline that approximates a curve: see [`Curve::flatten`].
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Flatten<'a, P: Point, const K: usize> {
     knots: &'a [P::Scalar],
     points: &'a [P],
@@ -35,9 +37,9 @@ pub struct Flatten<'a, P: Point, const K: usize> {
 pub struct Lengths<'a, P: Point, const K: usize> {
     polyline: Flatten<'a, P, K>,
     last: Option<Inner<P>>,
-    length: <P::Scalar as SplineScalar>::Inner,
+    length: <P::Scalar as Arithmetic>::Inner,
     /// What its sums lost by rounding.
-    rest: <P::Scalar as SplineScalar>::Inner,
+    rest: <P::Scalar as Arithmetic>::Inner,
 }
 
 impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N> {

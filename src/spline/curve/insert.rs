@@ -4,7 +4,7 @@ use super::Curve;
 use crate::scalar::Number;
 use crate::spline::error::KnotError;
 use crate::spline::point::{Point, combine, inner, outer};
-use crate::spline::scalar::SplineScalar;
+use crate::spline::scalar::Arithmetic;
 
 impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N> {
     /// Inserts a knot and with it a control point; the curve stays as it is, but for the rounding

@@ -22,6 +22,7 @@ use crate::scalar::Number;
 /// largest coordinate of the control points; in fixed point, which has 28 guard bits on the way, within
 /// 0.51 units. A curve with clamped ends passes through its first and last control point exactly.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Curve<P: Point, const K: usize, const C: usize, const N: usize> {
     pub(in crate::spline) knots: Knots<P::Scalar, K, N>,
     /// As many as the knots demand, and behind them origins.

@@ -2,7 +2,7 @@
 
 use crate::spline::error::EvaluateError;
 use crate::spline::point::{Inner, Point, combine, inner};
-use crate::spline::scalar::SplineScalar;
+use crate::spline::scalar::Arithmetic;
 
 /// The highest order whose blends are few enough for quick ratios.
 const QUICK: usize = 4;

@@ -1,6 +1,6 @@
 //! Splines in fixed point: integers with guard bits, rounded once.
 
-use super::SplineScalar;
+use super::Arithmetic;
 use crate::scalar::integer::{divide, narrow, shift_right};
 use crate::scalar::{FixedI32, Fraction};
 use core::fmt::Debug;
@@ -81,7 +81,7 @@ fn exactly<F: Fraction>(bits: i64) -> Option<FixedI32<F>> {
     i32::try_from(bits).ok().map(FixedI32::from_bits)
 }
 
-impl<F: Fraction> SplineScalar for FixedI32<F> {
+impl<F: Fraction> Arithmetic for FixedI32<F> {
     type Inner = i64;
     type Weight = i64;
     type Ratio = Mixed;

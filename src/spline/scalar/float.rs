@@ -1,39 +1,11 @@
 //! Splines in floating point.
 
-use super::SplineScalar;
+use super::Arithmetic;
 use super::order::Ordered;
 use crate::scalar::{Double, Float, Scalar};
 use core::fmt::Debug;
 use core::hint::select_unpredictable;
 use core::ops::Neg;
-
-/// What splines need of `f32` and `f64`, each in a way of its own.
-pub trait FloatSpline: Float + Ordered {
-    /// A quarter of the largest number.
-    const QUARTER: Self;
-
-    /// The remainder of a division, exactly; it has the sign of `self`.
-    #[must_use]
-    fn remainder(self, divisor: Self) -> Self;
-}
-
-macro_rules! floats {
-    ($($Float:ident $fmod:path;)+) => {$(
-        impl FloatSpline for $Float {
-            const QUARTER: Self = Self::MAX / 4.0;
-
-            #[inline]
-            fn remainder(self, divisor: Self) -> Self {
-                $fmod(self, divisor)
-            }
-        }
-    )+};
-}
-
-floats! {
-    f32 libm::fmodf;
-    f64 libm::fmod;
-}
 
 /// Where a parameter is between two knots: measured from the nearer one.
 ///
@@ -86,7 +58,7 @@ fn quotient<S: Float>(a: Double<S>, b: Double<S>) -> Double<S> {
     Double::sum(high, rest / b.high)
 }
 
-impl<S: FloatSpline> SplineScalar for S {
+impl<S: Float + Ordered> Arithmetic for S {
     type Inner = Self;
     type Weight = Weight<Self>;
     type Ratio = Nearer<Self>;
@@ -166,7 +138,8 @@ impl<S: FloatSpline> SplineScalar for S {
 
     #[inline(never)]
     fn climb(Weight(weight): Weight<Self>, degree: u16, [low, high]: [Self; 2]) -> Weight<Self> {
-        let (most, degree) = (Self::QUARTER, Self::from_int(degree.into()));
+        let (most, degree) =
+            (S::CONSTANTS.largest * S::from_ratio(1, 4), Self::from_int(degree.into()));
         let within = |x: S| Weight(Double::from(x.min(most).max(-most)));
         let width = Double::sum(high, -low);
         // A product's error may overflow before the product does.

@@ -229,13 +229,10 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
         // Values at ticks 0 … k−1 become differences at tick 0.
         for values in self.differences.as_mut() {
             for level in 1..K {
-                let mut before: Option<Quotient> = None;
-                for (i, value) in values.iter_mut().enumerate() {
-                    let own = *value;
-                    if let Some(before) = before.filter(|_| i >= level) {
-                        value.subtract(before, self.divisor);
+                for i in (level..K).rev() {
+                    if let Some([before, value]) = values.get_mut(i - 1..=i) {
+                        value.subtract(*before, self.divisor);
                     }
-                    before = Some(own);
                 }
             }
         }
