@@ -4,7 +4,6 @@ use crate::spline::point::Point;
 use crate::spline::scalar::Arithmetic;
 
 /// The polynomials of a span, or of a part of it.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Piece<LocalMap, Row, Bases, const K: usize> {
     /// A row for each power, of the highest one first.

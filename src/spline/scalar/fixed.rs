@@ -2,7 +2,7 @@
 
 use super::Arithmetic;
 use crate::scalar::integer::{divide, narrow, shift_right};
-use crate::scalar::{FixedI32, Fraction};
+use crate::scalar::{ConstOps, FixedI32, Fraction};
 use core::fmt::Debug;
 
 /// Digits of an inner number beyond those of its type. With 32 of the type's own, four bits are
@@ -13,7 +13,6 @@ const GUARD: u32 = 28;
 const RATIO: u32 = 62;
 
 /// `whole + fraction/2⁶²`. Between the knots the whole part is 0, at the upper one 1.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mixed {
     whole: i64,
@@ -51,7 +50,6 @@ impl Mixed {
 }
 
 /// The local parameter of a baked piece is `(t·2^shift − origin)/2³²`.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FixedMap {
     /// Where the span starts.
@@ -173,9 +171,7 @@ impl<F: Fraction> Arithmetic for FixedI32<F> {
     }
 
     fn between(from: Self, to: Self, index: u32, count: u32) -> Self {
-        let part =
-            divide(i128::from(width(from, to)) * i128::from(index), i128::from(count.max(1)));
-        Self::from_bits(narrow(i64::from(from.to_bits()) + part as i64))
+        ConstOps::<Self>::divided([from, to], index as usize, count as usize)
     }
 
     fn norm(coordinates: &[i64]) -> i64 {

@@ -11,7 +11,6 @@ use core::ops::Neg;
 ///
 /// So the error of `anchor + (b − a)·offset` is small against the difference of a and b, and both
 /// ends are exact.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Nearer<S> {
     from_high: bool,
@@ -22,12 +21,10 @@ pub struct Nearer<S> {
 }
 
 /// The value of a basis function, in twice the working precision.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Weight<S>(Double<S>);
 
 /// The local parameter of a baked piece is `t·scale + shift`.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FloatMap<S> {
     /// A power of two, so that the product is exact.
