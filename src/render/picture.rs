@@ -62,7 +62,7 @@ crate::error_text! {
         Length => "the slice for the pixels is shorter or longer than the row or run",
         /// The picture shows more of the scene than its number type can: in fixed point, its width and height
         /// together, in the plane through the target, must be less than the number type's range (32,768 in
-        /// `I16F16`), and in perspective a pixel times [`Scalar::MAX_COORDINATE`](crate::scalar::Scalar::MAX_COORDINATE) less than 2³⁰
+        /// `I16F16`), and in perspective a pixel times [`Scalar::MAX_COORDINATE`] less than 2³⁰
         /// and (1 + width/height) · tan(field of view / 2) less than 7.
         Range => "the picture shows more of the scene than its number type's range",
     }

@@ -54,7 +54,7 @@ macro_rules! floats {
                 x as f64
             }
 
-            /// The [key](crate::spline::Arithmetic::Key) of the first number that is equal to x: of
+            /// The [key](crate::spline::scalar::order::Ordered::Key) of the first number that is equal to x: of
             /// two zeros −0.
             pub(in crate::spline) const fn first_key(x: $Float) -> $Key {
                 $order(-(0.0 - x)).cast_unsigned()
