@@ -125,12 +125,11 @@ fn triangle<S: SplineScalar, const K: usize>(
         for (i, function) in functions.iter_mut().enumerate().take(level) {
             // N_{span−i, level}, whose knots are t_{span−i} to t_{span−i+level}.
             let (x, ends) = (*function, [knot(span.saturating_sub(i)), knot(span + level - i)]);
-            let (own, left) = if differs {
+            let [own, left] = if differs {
                 let slope = S::climb(x, level as u16, ends);
-                (slope, -slope)
+                [slope, -slope]
             } else {
-                let [low, high] = ends;
-                (S::share_weight(x, [low, t], ends), S::share_weight(x, [t, high], ends))
+                S::split(x, t, ends)
             };
             *function = S::add_weights(own, from_right);
             from_right = left;

@@ -131,8 +131,8 @@ impl<F: Fraction> Arithmetic for FixedI32<F> {
         a.saturating_add(ratio.of(b.saturating_sub(a)))
     }
 
-    fn share_weight(x: i64, inside: [Self; 2], outside: [Self; 2]) -> i64 {
-        Self::share(x, inside, outside)
+    fn split(x: i64, t: Self, [low, high]: [Self; 2]) -> [i64; 2] {
+        [[low, t], [t, high]].map(|part| Self::share(x, part, [low, high]))
     }
 
     fn climb(x: i64, degree: u16, [low, high]: [Self; 2]) -> i64 {

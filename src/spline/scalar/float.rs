@@ -125,12 +125,10 @@ impl<S: Float + Ordered> Arithmetic for S {
     }
 
     #[inline(never)] // inlined, it makes five times the code
-    fn share_weight(
-        Weight(weight): Weight<Self>,
-        [from, to]: [Self; 2],
-        [low, high]: [Self; 2],
-    ) -> Weight<Self> {
-        Weight(weight.times(quotient(Double::sum(to, -from), Double::sum(high, -low))))
+    fn split(Weight(weight): Weight<Self>, t: Self, [low, high]: [Self; 2]) -> [Weight<Self>; 2] {
+        let width = Double::sum(high, -low);
+        [Double::sum(t, -low), Double::sum(high, -t)]
+            .map(|part| Weight(weight.times(quotient(part, width))))
     }
 
     #[inline(never)]

@@ -69,8 +69,9 @@ pub trait Arithmetic: Scalar + Ordered {
     /// `a + (b − a)·ratio`; exactly a or b where t was `low` or `high`.
     fn blend(a: Self::Inner, b: Self::Inner, ratio: Self::Ratio) -> Self::Inner;
 
-    /// `weight·(to − from)/(high − low)`, of an interval inside of another one; 0 for one without length.
-    fn share_weight(weight: Self::Weight, inside: [Self; 2], outside: [Self; 2]) -> Self::Weight;
+    /// `weight·(t − low)/(high − low)` and `weight·(high − t)/(high − low)`, for `low ≤ t ≤ high`; 0 for
+    /// knots that coincide.
+    fn split(weight: Self::Weight, t: Self, interval: [Self; 2]) -> [Self::Weight; 2];
 
     /// `weight·degree/(high − low)`, held inside of the type's range; 0 for knots that coincide.
     fn climb(weight: Self::Weight, degree: u16, interval: [Self; 2]) -> Self::Weight;
@@ -83,7 +84,7 @@ pub trait Arithmetic: Scalar + Ordered {
     /// `(b − a)·degree/(high − low)`; 0 for knots that coincide.
     fn slope(a: Self::Inner, b: Self::Inner, degree: u16, low: Self, high: Self) -> Self::Inner;
 
-    /// As [`share_weight`](Self::share_weight).
+    /// `x·(to − from)/(high − low)`: an interval inside of another one.
     fn share(x: Self::Inner, inside: [Self; 2], outside: [Self; 2]) -> Self::Inner;
 
     /// The parameter in `from..to` that differs from t by a multiple of `to − from`.
