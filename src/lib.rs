@@ -8,6 +8,7 @@
 //! |---|---|
 //! | make parts, combine them, cast single rays at them | [`solid`] |
 //! | render pictures, with shading and pixels of your choice | [`render`] |
+//! | cut parts open, know their volume and moments | [`inspect`] |
 //! | send pictures through a serial line, and receive them | [`stream`] |
 //! | evaluate, edit or bake B-splines | [`spline`] |
 //! | place parts, describe rays | [`geom`] |
@@ -68,6 +69,7 @@ extern crate std;
 
 mod error;
 pub mod geom;
+pub mod inspect;
 mod numeric;
 mod quadric;
 pub mod render;

@@ -9,8 +9,8 @@ use scancsg::render::{
     CameraError, Gray8, Orthographic, Picture, RowError, Run, ShadeError, Size, SizeError, XRay,
 };
 use scancsg::solid::{
-    Cylinder, CylinderError, CylinderWall, Difference, Painted, PipeError, RayCast, Rgb, Shape,
-    Slab, SlabError, Sphere, SphereError, Union,
+    Cone, ConeError, Cylinder, CylinderError, CylinderWall, Difference, Painted, PipeError,
+    RayCast, Rgb, Shape, Slab, SlabError, Sphere, SphereError, Union,
 };
 use scancsg::span::SpanList;
 use std::collections::HashSet;
@@ -32,6 +32,11 @@ const RING: Ring = Ring::new(
     constant!(Cylinder::<f32>::along_x(0.0, 0.0, 1.0, -1.0, 1.0)),
     constant!(Cylinder::<f32>::between(vec3(-2.0, 0.0, 0.0), vec3(2.0, 0.0, 0.0), 0.5)),
 );
+const CONES: [Cone<f64>; 2] = [
+    constant!(Cone::<f64>::along_z(0.0, 0.0, [1.0, 0.0], -1.0, 1.0)),
+    constant!(Cone::<f64>::between(vec3(0.0, 0.0, -1.0), vec3(0.0, 0.0, 1.0), [1.0, 0.0])),
+];
+
 const BALLS: [Sphere<f32>; 2] = [
     constant!(Sphere::<f32>::new(vec3(0.0, 2.0, 0.0), 0.25)),
     constant!(Sphere::<f32>::new(vec3(0.0, -2.0, 0.0), 0.25)),
@@ -52,6 +57,9 @@ fn solids_are_constants() {
     assert_eq!(WALL.hit(&down).map(|hit| hit.t), Some(4.0));
     let along = Ray::new(vec3(0.0, 3.0, 4.0), vec3(0.0, -3.0, -4.0)).unwrap();
     let mut list = SpanList::<f64, 1>::new();
+    let along_axis = Ray::new(vec3(0.0, 0.0, 9.0), vec3(0.0, 0.0, -1.0)).unwrap();
+    let ends = CONES.map(|cone| cone.trace(&along_axis, &mut SpanList::<f64, 1>::new()).to_vec());
+    assert!(ends.iter().all(|ends| (ends[0].enter.t, ends[0].exit.t) == (8.0, 10.0)), "{ends:?}");
     let [span] = SLAB.trace(&along, &mut list) else { panic!("the slab is missed") };
     assert!((span.enter.t - 0.8).abs() < 1e-15 && (span.exit.t - 1.2).abs() < 1e-15, "{span:?}");
 }
@@ -111,6 +119,10 @@ fn every_error_has_a_text_of_its_own() {
         Box::new(CylinderError::NotFinite),
         Box::new(CylinderError::Radius),
         Box::new(CylinderError::Empty),
+        Box::new(ConeError::NotFinite),
+        Box::new(ConeError::Radius),
+        Box::new(ConeError::TooFar),
+        Box::new(ConeError::Empty),
         Box::new(SphereError::NotFinite),
         Box::new(SphereError::Radius),
         Box::new(SlabError::NotFinite),
@@ -149,6 +161,7 @@ fn errors_are_small_copies() {
     }
     let sizes = [
         is_copy::<CylinderError>(),
+        is_copy::<ConeError>(),
         is_copy::<SphereError>(),
         is_copy::<SlabError>(),
         is_copy::<PipeError>(),

@@ -1,6 +1,7 @@
 //! Whole pictures, each as functions that render it, or some of it.
 
 use crate::parts::Number;
+use crate::scene::housing::{Housing, HousingScene};
 use crate::scene::plate::{Plate, PlateScene};
 use crate::scene::{Scene, Tee};
 use core::hint::black_box;
@@ -8,7 +9,7 @@ use core::ops::Range;
 use scancsg::geom::{RayRow, Rays};
 use scancsg::render::{Camera, Gray8, Lambert, Picture, Size};
 use scancsg::scalar::{Number as _, Scalar as _};
-use scancsg::solid::{Seen, Shape, Solid, first_seen};
+use scancsg::solid::{Cuboid, Cylinder, Seen, Shape, Solid, first_seen};
 use scancsg::span::{Face, SpanList};
 
 /// A picture: its view alone, its view and the row that the argument says, and all of it.
@@ -111,6 +112,12 @@ frames! {
         orthographic_rows, orthographic_view, orthographic_row, orthographic_frame, orthographic_naive;
     "perspective": Tee<Number> = Number::TEE, perspective,
         perspective_rows, perspective_view, perspective_row, perspective_frame, perspective_naive;
+    "housing": Housing<Number> = Number::HOUSING, orthographic,
+        housing_rows, housing_view, housing_row, housing_frame, housing_naive;
+    "box": Cuboid<Number> = Number::BOX, orthographic,
+        box_rows, box_view, box_row, box_frame, box_naive;
+    "cylinder": Cylinder<Number> = Number::ROD, orthographic,
+        rod_rows, rod_view, rod_row, rod_frame, rod_naive;
     "plate of 1 hole": Plate<Number, 1> = Number::PLATE, orthographic,
         plate_1_rows, plate_1_view, plate_1_row, plate_1_frame, plate_1_naive;
     "plate of 4 holes": Plate<Number, 4> = Number::PLATE, orthographic,

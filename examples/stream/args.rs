@@ -1,8 +1,11 @@
 //! The command line.
 
+use crate::gallery::Scene;
+use clap::builder::PossibleValue;
 use clap::{Parser, ValueEnum};
 use scancsg::render::Size;
 use std::path::PathBuf;
+use std::sync::LazyLock;
 
 /// Render a part row by row, send it through a serial line, and put it together at the other end.
 ///
@@ -12,7 +15,7 @@ use std::path::PathBuf;
 #[derive(Debug, Parser)]
 #[command(name = "stream", version)]
 pub struct Args {
-    /// What is rendered: a pipe tee with flanges, or a pipe along a B-spline
+    /// What is rendered
     #[arg(long, value_enum, default_value_t = Part::Tee)]
     pub scene: Part,
 
@@ -70,10 +73,31 @@ pub struct Args {
     pub cut_after: Option<u64>,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+/// What is rendered.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
     Tee,
     Pipe,
+    Gallery(Scene),
+}
+
+impl ValueEnum for Part {
+    fn value_variants<'a>() -> &'a [Self] {
+        static ALL: LazyLock<Vec<Part>> = LazyLock::new(|| {
+            let gallery = Scene::value_variants().iter().copied().map(Part::Gallery);
+            [Part::Tee, Part::Pipe].into_iter().chain(gallery).collect()
+        });
+        &ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let named = |name, help: &'static str| Some(PossibleValue::new(name).help(help));
+        match self {
+            Self::Tee => named("tee", "A pipe tee with flanges"),
+            Self::Pipe => named("pipe", "A pipe along a B-spline"),
+            Self::Gallery(scene) => scene.to_possible_value(),
+        }
+    }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

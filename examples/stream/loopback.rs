@@ -1,6 +1,7 @@
 //! The host: chooses what is rendered, gives it a line, and looks at what comes out.
 
 use crate::args::{self, Args, Camera, Format, Number, Path};
+use crate::gallery::Assembly;
 use crate::host::image::write_png;
 use crate::host::port::{self, Faults, Heard, Port, Wire};
 use crate::host::receive::{CAPACITY, Ending, Frame, Session};
@@ -253,6 +254,14 @@ fn send_number<S: Choice>(
         (args::Part::Pipe, Format::Rgb565) => {
             let pipe = S::painted_pipe(tolerance).map_err(text)?;
             send_shaded(args, line, sent, &pipe, Rgb565(0))
+        }
+        (args::Part::Gallery(scene), format) => {
+            let parts: Box<Assembly<S>> =
+                Box::new(scene.build().map_err(|error| error.to_string())?);
+            match format {
+                Format::Gray8 => send_shaded(args, line, sent, &*parts, Gray8(0)),
+                Format::Rgb565 => send_shaded(args, line, sent, &*parts, Rgb565(0)),
+            }
         }
     }
 }

@@ -15,6 +15,8 @@ mod board;
 #[cfg(target_os = "none")]
 mod firmware;
 #[cfg(not(target_os = "none"))]
+mod gallery;
+#[cfg(not(target_os = "none"))]
 #[path = "../host/mod.rs"]
 mod host;
 #[cfg(not(target_os = "none"))]

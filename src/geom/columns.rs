@@ -11,6 +11,12 @@ pub struct Column {
     pub x: i32,
 }
 
+/// So many columns as a signed number, as far as there are half pixels for them.
+#[inline]
+pub(crate) fn signed(columns: u32) -> i32 {
+    columns.min((1 << 30) - 1).cast_signed()
+}
+
 /// A number that changes by the same step from each half pixel to the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Affine<T> {

@@ -78,7 +78,7 @@ impl<S: Scalar> Direction<S> {
 
     /// The vector.
     #[inline]
-    pub(crate) fn vector(&self) -> Vec3<S::Unit> {
+    pub(crate) const fn vector(&self) -> Vec3<S::Unit> {
         self.vector
     }
 
@@ -124,6 +124,25 @@ impl<S: Scalar> Direction<S> {
 }
 
 impl Axis {
+    /// All three, in order.
+    pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
+
+    /// A vector from its coordinate along the axis and the other two, in the order x, y, z.
+    pub(crate) const fn placed<T: Copy>(self, along: T, [u, v]: [T; 2]) -> [T; 3] {
+        match self {
+            Self::X => [along, u, v],
+            Self::Y => [u, along, v],
+            Self::Z => [u, v, along],
+        }
+    }
+
+    /// The coordinate of a vector along the axis.
+    #[inline]
+    pub(crate) fn of<T: Copy>(self, v: Vec3<T>) -> T {
+        let [first, ..] = self.turned(v);
+        first
+    }
+
     /// The axis of a vector, of which some coordinates are zero.
     const fn with(zeros: [bool; 3]) -> Option<Self> {
         match zeros {

@@ -1,5 +1,7 @@
 //! Vectors, rays, rigid motions, and the rays of a picture as functions of the pixel.
 
+mod affine;
+mod axis_line;
 mod columns;
 mod direction;
 mod pose;
@@ -7,8 +9,13 @@ mod ray;
 mod rays;
 mod vec3;
 
+pub(crate) use columns::signed;
 pub(crate) use direction::Direction;
 
+pub(crate) use affine::{Parameters, RaysBack};
+
+pub use affine::{AffineError, AffineMap};
+pub use axis_line::{AxisLine, AxisLineError};
 pub use columns::{Affine, Column, Extent};
 pub use direction::Axis;
 pub use pose::{Pose, PoseError};

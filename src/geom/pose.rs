@@ -1,5 +1,6 @@
 //! Rigid motions.
 
+use super::direction::{Axis, Direction};
 use super::ray::Line;
 use super::vec3::Vec3;
 use crate::scalar::{Number, Real, Scalar};
@@ -31,11 +32,14 @@ pub enum PoseError {
     NotFinite,
     /// A coordinate of the translation is larger than [`Scalar::MAX_COORDINATE`].
     TooFar,
+    /// The axis of a turn is zero.
+    ZeroAxis,
 }
 
 crate::error_text!(PoseError {
     NotFinite => "an angle or a coordinate of the pose is infinite or not a number",
     TooFar => "the pose shifts too far for its number type",
+    ZeroAxis => "the axis of the turn is zero",
 });
 
 impl<S: Scalar> Pose<S> {
@@ -99,15 +103,93 @@ impl<S: Scalar> Pose<S> {
         Ok(Self { axes: [x, y, z], translation: Vec3::ZERO })
     }
 
+    /// A turn about an axis through the origin, in radians: clockwise for whoever looks along the axis,
+    /// which may have any length. About a coordinate axis it is that axis's own turn.
+    ///
+    /// ```
+    /// use scancsg::geom::{Pose, vec3};
+    ///
+    /// let third = core::f32::consts::TAU / 3.0;
+    /// let turn = Pose::<f32>::about(vec3(1.0, 1.0, 1.0), third)?;
+    /// assert!((turn.point(vec3(5.0, 0.0, 0.0)) - vec3(0.0, 5.0, 0.0)).max_abs() < 1e-5);
+    /// // A joint turns about a point of its own.
+    /// let elbow = turn.around(vec3(2.0, 0.0, 0.0))?;
+    /// assert!((elbow.point(vec3(7.0, 0.0, 0.0)) - vec3(2.0, 5.0, 0.0)).max_abs() < 1e-5);
+    /// # Ok::<(), scancsg::geom::PoseError>(())
+    /// ```
+    ///
+    /// The formula is that of Rodrigues (1840): `p cos φ + (k × p) sin φ + k (k·p)(1 − cos φ)`.
+    ///
+    /// # Errors
+    /// [`PoseError::NotFinite`], [`PoseError::ZeroAxis`].
+    pub fn about(axis: Vec3<S>, angle: S) -> Result<Self, PoseError> {
+        if !axis.is_finite() {
+            return Err(PoseError::NotFinite);
+        }
+        let axis = Direction::normalized(axis).ok_or(PoseError::ZeroAxis)?;
+        let Vec3 { x, y, z } = axis.vector();
+        let signed = |sign: S::Unit| if sign < S::Unit::ZERO { angle.negated() } else { angle };
+        match axis.along() {
+            Some(Axis::X) => return Self::rotation_x(signed(x)),
+            Some(Axis::Y) => return Self::rotation_y(signed(y)),
+            Some(Axis::Z) => return Self::rotation_z(signed(z)),
+            None => {}
+        }
+        if !angle.is_finite() {
+            return Err(PoseError::NotFinite);
+        }
+        let (k, (sin, cos)) = (axis.wide(), angle.wide().sin_cos());
+        let axes = Self::IDENTITY.axes.map(|axis| {
+            let own = axis.map(S::wide_unit);
+            own * cos + k.cross(own) * sin + k * (k.dot(own) * (S::Wide::ONE - cos))
+        });
+        Ok(Self { axes: orthonormal(axes).map(|axis| axis.map(S::unit)), translation: Vec3::ZERO })
+    }
+
+    /// The same motion with `point` in the origin's place: a turn about the origin becomes one about the
+    /// point.
+    ///
+    /// # Errors
+    /// [`PoseError::NotFinite`], [`PoseError::TooFar`].
+    pub fn around(&self, point: Vec3<S>) -> Result<Self, PoseError> {
+        let there = Self::translation(point)?.translation;
+        Self { translation: self.point(-there) + there, ..*self }.checked()
+    }
+
     /// This pose first, then `next`.
+    ///
+    /// The result is made orthonormal again, so poses may be composed without end: after a million
+    /// turns the axes still have length 1 and are at right angles, up to rounding.
     ///
     /// # Errors
     /// [`PoseError::TooFar`].
     pub fn then(&self, next: &Self) -> Result<Self, PoseError> {
-        let axes = self.axes.map(|axis| next.turned(axis.map(S::wide_unit)).map(S::unit));
-        let translation = next.point(self.translation);
-        if translation.max_abs() <= S::MAX_COORDINATE {
-            Ok(Self { axes, translation })
+        let axes = orthonormal(self.axes.map(|axis| next.turned(axis.map(S::wide_unit))));
+        let axes = axes.map(|axis| axis.map(S::unit));
+        Self { axes, translation: next.point(self.translation) }.checked()
+    }
+
+    /// The pose that moves everything back.
+    ///
+    /// ```
+    /// use scancsg::geom::{Pose, vec3};
+    ///
+    /// let shift = Pose::<f32>::translation(vec3(3.0, -2.0, 1.0))?;
+    /// assert_eq!(shift.then(&shift.inverse()?)?, Pose::IDENTITY);
+    /// # Ok::<(), scancsg::geom::PoseError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`PoseError::TooFar`]: turned back, a translation may have a larger coordinate than before.
+    pub fn inverse(&self) -> Result<Self, PoseError> {
+        let [x, y, z] = self.axes;
+        let axes = [Vec3::new(x.x, y.x, z.x), Vec3::new(x.y, y.y, z.y), Vec3::new(x.z, y.z, z.z)];
+        Self { axes, translation: self.direction_back(-self.translation) }.checked()
+    }
+
+    fn checked(self) -> Result<Self, PoseError> {
+        if self.translation.max_abs() <= S::MAX_COORDINATE {
+            Ok(self)
         } else {
             Err(PoseError::TooFar)
         }
@@ -142,6 +224,10 @@ impl<S: Scalar> Pose<S> {
         self.turned_back(scene.wide()).map(S::from_wide)
     }
 
+    pub(super) fn axes_and_translation(&self) -> ([Vec3<S::Wide>; 3], Vec3<S>) {
+        (self.axes.map(|axis| axis.map(S::wide_unit)), self.translation)
+    }
+
     pub(super) fn point_back_wide(&self, scene: Vec3<S::Wide>) -> Vec3<S::Wide> {
         self.turned_back(scene - self.translation.wide())
     }
@@ -160,6 +246,39 @@ impl<S: Scalar> Pose<S> {
             direction: self.direction_back(line.direction),
         }
     }
+}
+
+impl<S: Scalar> Pose<S> {
+    /// As [`line_back`](Self::line_back), with its parameter counted from about the point nearest to `near`,
+    /// a point of the own frame; and the parameter there.
+    ///
+    /// So what rounding a direction in fixed point loses doesn't grow with the way from the line's start.
+    /// Floating point, and directions that stay exact, need none of this.
+    #[inline]
+    pub(crate) fn line_back_near(
+        &self,
+        line: &Line<S>,
+        near: impl FnOnce() -> Vec3<S>,
+    ) -> (Line<S>, S) {
+        let exact = self.turned_back(line.direction.wide());
+        let direction = exact.map(S::from_wide);
+        if S::SHORTEST <= S::ZERO || direction.wide() == exact {
+            return (Line { origin: self.point_back(line.origin), direction }, S::ZERO);
+        }
+        let from = line.parameter_near(self.point(near()));
+        let start = line.origin.wide() + line.direction.wide() * from.wide();
+        (Line { origin: self.point_back_wide(start).map(S::from_wide), direction }, from)
+    }
+}
+
+/// The frame itself where it is orthonormal, else one much nearer to that: deviations become as large as
+/// their squares. It is a step of Newton's method for the polar decomposition,
+/// `M − M (MᵀM − 1)/2` (Higham, *Computing the polar decomposition*, SIAM J. Sci. Stat. Comput. 7, 1986).
+fn orthonormal<T: Real>([x, y, z]: [Vec3<T>; 3]) -> [Vec3<T>; 3] {
+    let half = |a: Vec3<T>, b: Vec3<T>, want: T| (a.dot_compensated(b) - want) * T::HALF;
+    let [xx, yy, zz] = [x, y, z].map(|axis| half(axis, axis, T::ONE));
+    let [xy, yz, zx] = [(x, y), (y, z), (z, x)].map(|(a, b)| half(a, b, T::ZERO));
+    [x - (x * xx + y * xy + z * zx), y - (x * xy + y * yy + z * yz), z - (x * zx + y * yz + z * zz)]
 }
 
 /// A sine and a cosine, and the axes that a turn starts from.

@@ -1,7 +1,7 @@
 //! A line with a parameter, and the ray that a caller asks about.
 
 use super::vec3::Vec3;
-use crate::scalar::{Rebased, Scalar};
+use crate::scalar::{Real, Rebased, Scalar};
 
 /// A line `p(t) = origin + t · direction`, t from −∞ to +∞: what a solid is asked about.
 ///
@@ -22,6 +22,19 @@ impl<S: Scalar> Line<S> {
     pub fn at(&self, t: S) -> Vec3<S> {
         self.origin + self.direction * t
     }
+
+    /// About the parameter of the point nearest to another one: for choosing where to count from.
+    pub(crate) fn parameter_near(&self, point: Vec3<S>) -> S {
+        S::from_wide(nearest(point.wide() - self.origin.wide(), self.direction.wide()))
+    }
+}
+
+/// How many times a direction takes one to the end of a way, or as near to there as it comes.
+pub(super) fn nearest<T: Real>(way: Vec3<T>, direction: Vec3<T>) -> T {
+    // Of a length that neither overflows nor loses digits.
+    let power = direction.max_abs().normalizing_power();
+    let direction = direction * power;
+    way.dot(direction) / direction.length_squared() * power
 }
 
 crate::error_text! {

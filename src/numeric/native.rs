@@ -38,7 +38,7 @@ pub trait Native:
     fn from_i32(integer: i32) -> Self;
 
     /// The nearest number.
-    fn from_f64(number: f64) -> Self;
+    fn from_double(number: f64) -> Self;
 
     /// The number without its fraction, held inside the range; 0 for NaN.
     fn to_i32(self) -> i32;
@@ -112,7 +112,7 @@ macro_rules! native {
             }
 
             #[inline]
-            fn from_f64(number: f64) -> Self {
+            fn from_double(number: f64) -> Self {
                 number as $Float
             }
 

@@ -1,17 +1,26 @@
 //! Where a single line meets each family: the one place that takes the body for the kind of number.
 
 use super::ball::Ball;
+use super::corners::Corners;
+use super::half_space::HalfSpace;
 use super::planes::{PlaneRoots, Planes};
+use super::quartic::ReadyTorus;
+use super::ring::Ring;
+use super::taper::{Conic, Taper};
 use super::wall::Wall;
 use super::{fixed, float};
 use crate::geom::Line;
 use crate::scalar::{FixedPoint, Float, Formula, Roots, Scalar};
 use crate::span::Span;
 
-/// A question about a line, as a type with the bodies in floating and in fixed point.
+/// A question about a line, or after `of` about whatever it is, as a type with the bodies in floating and
+/// in fixed point.
 macro_rules! formula {
     ($(#[$docs:meta])* $name:ident($($of:ident: $Of:ident),+) -> $Output:ty, $Formula:ident) => {
-        struct $Formula<'a, S: Scalar>($(&'a $Of<S>,)+ &'a Line<S>);
+        formula! { $(#[$docs])* of $name($($of: $Of,)+ line: Line) -> $Output, $Formula }
+    };
+    ($(#[$docs:meta])* of $name:ident($($of:ident: $Of:ident),+) -> $Output:ty, $Formula:ident) => {
+        struct $Formula<'a, S: Scalar>($(&'a $Of<S>),+);
 
         impl<S: Scalar> Formula<S> for $Formula<'_, S> {
             type Output = $Output;
@@ -21,23 +30,23 @@ macro_rules! formula {
             where
                 S: Float,
             {
-                let Self($($of,)+ line) = self;
-                float::$name($($of,)+ line)
+                let Self($($of),+) = self;
+                float::$name($($of),+)
             }
 
             fn fixed(self) -> $Output
             where
                 S: FixedPoint,
             {
-                let Self($($of,)+ line) = self;
-                fixed::$name($($of,)+ line)
+                let Self($($of),+) = self;
+                fixed::$name($($of),+)
             }
         }
 
         $(#[$docs])*
         #[inline(always)]
-        pub(crate) fn $name<S: Scalar>($($of: &$Of<S>,)+ line: &Line<S>) -> $Output {
-            S::compute($Formula($($of,)+ line))
+        pub(crate) fn $name<S: Scalar>($($of: &$Of<S>),+) -> $Output {
+            S::compute($Formula($($of),+))
         }
     };
 }
@@ -55,6 +64,18 @@ formula! {
 }
 
 formula! {
+    /// The part of a line inside a cone's wall and between the caps. Where both begin or end together,
+    /// the face is the cap's.
+    cone(taper: Taper, caps: Planes) -> Option<Span<S>>, InCone
+}
+
+formula! {
+    /// Where a pixel's ray is inside the nappe of a cone that is between the caps, and perhaps in the other
+    /// one beyond the tip.
+    of conic(ray: Conic) -> Option<[S; 2]>, InNappe
+}
+
+formula! {
     /// Where a line is inside a ball. A tangent has equal roots, or none.
     ball(ball: Ball) -> Roots<S>, InBall
 }
@@ -62,4 +83,47 @@ formula! {
 formula! {
     /// Where a line is between two planes.
     planes(planes: Planes) -> PlaneRoots<S>, BetweenPlanes
+}
+
+formula! {
+    /// The part of a line inside a box.
+    cuboid(corners: Corners) -> Option<Span<S>>, InCuboid
+}
+
+/// Half-spaces as one operand.
+type Faces<S> = [HalfSpace<S>];
+
+formula! {
+    /// The part of a line inside all half-spaces.
+    half_spaces(faces: Faces) -> Option<Span<S>>, InHalfSpaces
+}
+
+formula! {
+    /// Where a line is inside a torus, in order.
+    torus(torus: ReadyTorus) -> [Option<Span<S>>; 2], InTorus
+}
+
+struct ToDoubles<'a, S: Scalar>(&'a Ring<S>);
+
+impl<S: Scalar> Formula<S> for ToDoubles<'_, S> {
+    type Output = ReadyTorus<S>;
+
+    fn float(self) -> ReadyTorus<S>
+    where
+        S: Float,
+    {
+        float::ready_torus(self.0)
+    }
+
+    fn fixed(self) -> ReadyTorus<S>
+    where
+        S: FixedPoint,
+    {
+        fixed::ready_torus(self.0)
+    }
+}
+
+/// A torus in `f64`, ready for any number of lines.
+pub(crate) fn ready_torus<S: Scalar>(ring: &Ring<S>) -> ReadyTorus<S> {
+    S::compute(ToDoubles(ring))
 }

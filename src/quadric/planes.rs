@@ -90,14 +90,11 @@ impl<S: Scalar> Planes<S> {
     /// axis that isn't parallel to them. So of two slabs on either side of a plane exactly one has
     /// it, whichever way their normals point.
     pub(crate) fn has_between<T: PartialOrd>(&self, low: T, high: T, zero: T) -> bool {
-        let is_forward = self
-            .normal
-            .vector()
-            .to_array()
-            .into_iter()
-            .find(|coordinate| *coordinate != S::Unit::ZERO)
-            .is_some_and(|coordinate| coordinate > S::Unit::ZERO);
-        if is_forward { low <= zero && zero < high } else { low < zero && zero <= high }
+        if is_forward(&self.normal) {
+            low <= zero && zero < high
+        } else {
+            low < zero && zero <= high
+        }
     }
 
     /// The point of a face nearest to a point beside it.
@@ -128,4 +125,13 @@ impl<S: Scalar> Planes<S> {
         let normal = self.normal.times(S::ONE);
         if face.0 == 0 { -normal } else { normal }
     }
+}
+
+/// Whether a normal points along the first coordinate axis that isn't parallel to its plane, not
+/// against it.
+pub(super) fn is_forward<S: Scalar>(normal: &Direction<S>) -> bool {
+    let mut coordinates = normal.vector().to_array().into_iter();
+    coordinates
+        .find(|coordinate| *coordinate != S::Unit::ZERO)
+        .is_some_and(|coordinate| coordinate > S::Unit::ZERO)
 }

@@ -47,6 +47,16 @@ macro_rules! floats {
                 1.0 / radius
             }
 
+            /// [`Number::to_f64`].
+            pub(crate) const fn to_f64(x: $Float) -> f64 {
+                x as f64
+            }
+
+            /// [`Number::from_f64`].
+            pub(crate) const fn from_f64(x: f64) -> $Float {
+                x as $Float
+            }
+
             /// [`Scalar::normalized`].
             pub(crate) const fn normalized([x, y, z]: [$Float; 3]) -> Option<[$Float; 3]> {
                 match normalized([x as f64, y as f64, z as f64]) {
@@ -77,7 +87,7 @@ macro_rules! floats {
 floats!(f32, f64);
 
 /// The vector of length 1 in the direction of a finite one, or `None` for zero.
-pub(super) const fn normalized([x, y, z]: [f64; 3]) -> Option<[f64; 3]> {
+pub(crate) const fn normalized([x, y, z]: [f64; 3]) -> Option<[f64; 3]> {
     let largest = x.abs().max(y.abs()).max(z.abs());
     if largest == 0.0 {
         return None;

@@ -1,10 +1,12 @@
 //! [`Scalar`] for `f32` and `f64`.
 
 use super::const_ops::{normalized, stretch};
+use super::grid::Grid;
+use super::matrix::inverted;
 use super::number::{Number, Real};
 use super::rebase::{Rebased, rebased};
-use super::scalar::{Formula, Roots, Scalar, Stretch};
-use crate::numeric::{Native, SATURATES_TO_I32, dot3, product_difference};
+use super::scalar::{Formula, Inverse, Matrix, Roots, Scalar, Stretch};
+use crate::numeric::{Double, Native, SATURATES_TO_I32, dot3, product_difference};
 
 /// `x·y`, added up from the first coordinate on.
 #[inline]
@@ -19,6 +21,16 @@ impl<S: Native> Number for S {
     #[inline]
     fn from_int(integer: i32) -> Self {
         S::from_i32(integer)
+    }
+
+    #[inline]
+    fn from_f64(number: f64) -> Self {
+        Native::from_double(number)
+    }
+
+    #[inline]
+    fn to_f64(self) -> f64 {
+        self.into()
     }
 
     #[inline]
@@ -128,6 +140,7 @@ impl<S: Native> Scalar for S {
     const LONGEST: Self = S::CONSTANTS.largest;
     const ROUNDING: Self = S::ZERO;
     const NO_SCALE: Self = S::ZERO;
+    const GRID: Grid = if size_of::<S>() < size_of::<f64>() { Grid::Single } else { Grid::Double };
 
     #[inline]
     fn from_ratio(numerator: i32, denominator: i32) -> Self {
@@ -140,14 +153,26 @@ impl<S: Native> Scalar for S {
     }
 
     fn normalized(vector: [Self; 3]) -> Option<[Self; 3]> {
-        Some(normalized(vector.map(S::into))?.map(S::from_f64))
+        Some(normalized(vector.map(S::into))?.map(S::from_double))
     }
 
     fn stretch(from: [Self; 3], to: [Self; 3]) -> Option<Stretch<Self>> {
         let ends = [from, to].map(|end| end.map(S::into));
         let Stretch { direction, low, high } = stretch(ends[0], ends[1], size_of::<S>())?;
-        let direction = direction.map(S::from_f64);
-        Some(Stretch { direction, low: S::from_f64(low), high: S::from_f64(high) })
+        let direction = direction.map(S::from_double);
+        Some(Stretch { direction, low: S::from_double(low), high: S::from_double(high) })
+    }
+
+    fn inverted(matrix: Matrix<Self>) -> Option<Inverse<Self>> {
+        let most = S::CONSTANTS.lengths[1].into();
+        let exact = inverted(matrix.map(|row| row.map(S::into)), most)?;
+        let high = exact.map(|row| row.map(|entry| S::from_double(entry.high)));
+        let low = exact.map(|row| {
+            row.map(|Double { high, low }| {
+                S::from_double((high - S::from_double(high).into()) + low)
+            })
+        });
+        Some([high, low])
     }
 
     #[inline]

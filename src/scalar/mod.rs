@@ -11,6 +11,8 @@
 mod const_ops;
 mod fixed;
 mod float;
+mod grid;
+mod matrix;
 mod number;
 mod per_scalar;
 mod rebase;
@@ -18,13 +20,15 @@ mod rebase;
 mod scalar;
 
 pub use fixed::{FixedI32, I16F16, Scale, Wide};
+#[doc(hidden)]
+pub use grid::Grid;
 pub use number::{Number, Real};
 pub(crate) use scalar::Float;
 pub use scalar::{FixedPoint, Formula, Roots, Scalar};
 
 pub(crate) use crate::numeric::{Double, integer, two_sum};
-pub(crate) use const_ops::ConstOps;
+pub(crate) use const_ops::{ConstOps, normalized};
 pub(crate) use fixed::Fraction;
 pub(crate) use per_scalar::per_scalar;
 pub(crate) use rebase::Rebased;
-pub(crate) use scalar::Stretch;
+pub(crate) use scalar::{Inverse, Matrix, Stretch};

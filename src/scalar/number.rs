@@ -31,6 +31,14 @@ pub trait Number: sealed::Sealed + Copy + Debug + PartialOrd + 'static {
     #[must_use]
     fn from_int(integer: i32) -> Self;
 
+    /// The nearest number to one in double precision, held inside the type's range.
+    #[must_use]
+    fn from_f64(number: f64) -> Self;
+
+    /// The number in double precision: exact for all but [`Wide`](super::Wide), which is rounded.
+    #[must_use]
+    fn to_f64(self) -> f64;
+
     /// `self + other`.
     #[must_use]
     fn plus(self, other: Self) -> Self;

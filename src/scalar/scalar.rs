@@ -1,5 +1,6 @@
 //! What a number type of scenes can do.
 
+use super::grid::Grid;
 use super::number::{Number, Real};
 use super::rebase::Rebased;
 use crate::numeric::{Native, add_product};
@@ -39,6 +40,9 @@ pub trait Scalar: Number {
     /// How far off a length in a pixel may be because it is rounded to this type: 0 in floating
     /// point, whose errors are relative, 2 units in fixed point.
     const ROUNDING: Self;
+
+    #[doc(hidden)]
+    const GRID: Grid;
 
     /// `numerator / denominator`, for a denominator other than 0: how generic code writes a number.
     ///
@@ -81,6 +85,10 @@ pub trait Scalar: Number {
     /// The direction from one point to another, and where along it they lie; `None` if they coincide.
     #[doc(hidden)]
     fn stretch(from: [Self; 3], to: [Self; 3]) -> Option<Stretch<Self>>;
+
+    /// The inverse of a matrix; `None` if there is none, or if it or the matrix has too large an entry.
+    #[doc(hidden)]
+    fn inverted(matrix: Matrix<Self::Wide>) -> Option<Inverse<Self::Wide>>;
 
     /// How far off a length in a pixel may be that is a sum of up to six lengths, `size` together,
     /// or of two of these, one of them times the column.
@@ -233,6 +241,13 @@ pub trait FixedPoint: Scalar {
     /// A coordinate of a direction, in units of 2⁻²⁸.
     fn unit_bits(unit: Self::Unit) -> i32;
 }
+
+/// A matrix, by its rows.
+pub type Matrix<T> = [[T; 3]; 3];
+
+/// An inverse as the sum of two matrices. The second one is what the first one's rounding lost in floating
+/// point; in fixed point it is zero.
+pub type Inverse<T> = [Matrix<T>; 2];
 
 /// The ends of a line, as offsets along its rounded direction.
 #[derive(Debug, Clone, Copy, PartialEq)]

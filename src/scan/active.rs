@@ -107,7 +107,7 @@ impl<R> GroupRow<[Member<R>]> {
     #[inline(never)]
     fn list_band<P, T: Scan<P, Row = R>>(&mut self, solids: &[T], views: &[T::View], band: i32) {
         let first = band << (BAND_ROWS + 1);
-        let rows = [first, first + (2 << BAND_ROWS) - 1];
+        let rows = [first, first + ((2 << BAND_ROWS) - 1)];
         self.band_count = 0;
         for (index, (solid, view)) in solids.iter().zip(views).enumerate().rev() {
             if solid.is_in_rows(view, rows)

@@ -21,14 +21,17 @@
 //!
 //! | to | use |
 //! |---|---|
-//! | make a part | [`Cylinder`], [`Sphere`], [`Slab`], [`Pipe`] |
+//! | make a part | [`Cuboid`], [`Cylinder`], [`Cone`], [`Sphere`], [`Torus`], [`Polyhedron`], [`Pipe`] |
+//! | cut a part | [`HalfSpace`], [`Slab`], [`section`](Section) |
 //! | combine parts | `a \| b`, `a & b`, `a - b`; arrays and [`Many`] for unions of one kind |
 //! | colour, move or turn a part | [`Painted`], [`Placed`] |
+//! | scale, mirror or shear a part | [`Scaled`] |
 //! | ask where a single ray meets it | [`RayCast`] |
 //! | add a solid of your own | implement [`Shape`] and [`Solid`], wrap it in [`ByLine`] |
 //! | wrap solids in a type of your own | [`Wrap`] |
 
 mod combine;
+mod compound;
 mod describe;
 mod operators;
 mod pipe;
@@ -36,14 +39,17 @@ mod primitive;
 mod query;
 mod wrap;
 
+pub use crate::quadric::HalfSpace;
 pub use crate::scan::Scan;
 pub use crate::scan::bounds::Bounds;
 pub use crate::span::Shape;
 pub use combine::{Boolean, Difference, Intersection, Many, ManyError, Union};
+pub use compound::{Capsule, RoundedCuboid};
 pub use describe::{Rgb, Solid};
 pub use pipe::{Pipe, PipeError};
 pub use primitive::{
-    Cylinder, CylinderError, CylinderWall, Slab, SlabError, Sphere, SphereError, WallHit,
+    Cone, ConeError, Cuboid, CuboidError, Cylinder, CylinderError, CylinderWall, HalfSpaceError,
+    Polyhedron, PolyhedronError, Slab, SlabError, Sphere, SphereError, Torus, TorusError, WallHit,
 };
 pub use query::{Hit, RayCast, Seen, first_seen};
-pub use wrap::{ByLine, Painted, Placed, Wrap};
+pub use wrap::{ByLine, Painted, Placed, Scaled, Wrap};

@@ -1,8 +1,8 @@
 //! The operators `|`, `&` and `-`, of every solid with any other.
 
 use super::{
-    Boolean, ByLine, Cylinder, Difference, Intersection, Many, Painted, Pipe, Placed, Slab, Sphere,
-    Union,
+    Boolean, ByLine, Cone, Cuboid, Cylinder, Difference, HalfSpace, Intersection, Many, Painted,
+    Pipe, Placed, Polyhedron, Scaled, Slab, Sphere, Torus, Union,
 };
 use crate::scalar::Scalar;
 use crate::span::Shape;
@@ -34,13 +34,19 @@ macro_rules! operators {
 }
 
 operators! {
+    [S: Scalar] Cuboid<S>,
+    [S: Scalar] Cone<S>,
     [S: Scalar] Cylinder<S>,
+    [S: Scalar] HalfSpace<S>,
+    [S: Scalar, const N: usize, F] Polyhedron<S, N, F>,
     [S: Scalar] Slab<S>,
     [S: Scalar] Sphere<S>,
+    [S: Scalar] Torus<S>,
     [S: Scalar, const SEGMENTS: usize] Pipe<S, SEGMENTS>,
     [T, const N: usize] ByLine<T, N>,
     [T, const N: usize] Many<T, N>,
     [T] Painted<T>,
     [T: Shape] Placed<T>,
+    [T: Shape] Scaled<T>,
     [O, L, R] Boolean<O, L, R>,
 }

@@ -1,6 +1,7 @@
 //! The memory of the span merge: a fixed array, and the stack that solids push to.
 
 use super::span::Span;
+use crate::scalar::Scalar;
 use heapless::{Vec, VecView};
 
 /// Room for the spans of a line with a solid, and for merging them.
@@ -133,6 +134,21 @@ impl<S> SpanStack<'_, S> {
             }
         }
         self.spans.truncate(kept);
+    }
+
+    /// Takes the parameters of the spans from `start` on to those of another line that is the same but for
+    /// where it is counted from, and how fast. A span whose ends round to one number keeps a length.
+    pub(crate) fn recount(&mut self, start: usize, of: impl Fn(S) -> S)
+    where
+        S: Scalar,
+    {
+        for Span { enter, exit } in self.spans.iter_mut().skip(start) {
+            (enter.t, exit.t) = (of(enter.t), of(exit.t));
+            if enter.t == exit.t {
+                exit.t = exit.t.negated().next_below().negated();
+            }
+        }
+        self.keep_ordered(start);
     }
 
     /// Whether there is no span at all.

@@ -51,7 +51,8 @@ impl Operation {
 /// `right` on, by their merge.
 ///
 /// Each list is sorted and regularised, and so is the result. Where both lists cross at the same
-/// parameter, the face is that of the left.
+/// parameter, the face is that of the left. An index behind the end counts as the end, and a left one behind
+/// the right one as that.
 ///
 /// # Errors
 /// [`StackFull`] if there is no room above both lists for the result, which has at most as many
@@ -79,6 +80,8 @@ pub fn merge<S: Scalar>(
     right: usize,
 ) -> Result<(), StackFull> {
     let end = stack.len();
+    let right = right.min(end);
+    let left = left.min(right);
     let keeps_left = operation.contains(true, false);
     let keeps_right = operation.contains(false, true);
     if (end == right && keeps_left) || (left == right && keeps_right) {

@@ -93,6 +93,19 @@ impl<S: Scalar> Span<S> {
         (enter, exit)
     }
 
+    /// Cuts off what is beyond a crossing: what comes later if the line exits there, or else what comes
+    /// earlier.
+    #[inline(always)]
+    pub(crate) fn cut(&mut self, at: Crossing<S>, exits: bool) {
+        if exits {
+            if at.t < self.exit.t {
+                self.exit = at;
+            }
+        } else if at.t > self.enter.t {
+            self.enter = at;
+        }
+    }
+
     /// The same span with its faces counted from `first` on.
     #[must_use]
     #[inline]

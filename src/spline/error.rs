@@ -13,8 +13,11 @@ crate::error_text! {
         Decreasing => "the knots are not in ascending order",
         /// A knot is infinite or NaN.
         NotFinite => "a knot is infinite or not a number",
-        /// A knot is there more often than the order, so that a basis function vanishes everywhere.
-        Multiplicity => "a knot is there more often than the order of the spline",
+        /// A knot is, or would be, there more often than the order, so that a basis function vanishes
+        /// everywhere. Knots nearer to each other than numbers of their size may be rounded to the same
+        /// one: in `f32` there is a number every 1.2·10⁻⁴ at 1,163.
+        Multiplicity => "more knots than the order of the spline are equal, perhaps because their number \
+            type rounds them to the same number",
         /// A knot is outside of the curve's domain.
         Outside => "the knot is outside of the domain",
         /// A knot, or the distance of the first from the last one, is out of the number type's range.

@@ -9,9 +9,32 @@ pub use crate::vector::{V, add, cross, dot, length, sub, times, unit};
 /// A solid as a tree of points' properties.
 #[derive(Debug, Clone)]
 pub enum Solid {
-    Cylinder { from: V, to: V, radius: f64 },
-    Sphere { center: V, radius: f64 },
-    Slab { normal: V, low: f64, high: f64 },
+    Cylinder {
+        from: V,
+        to: V,
+        radius: f64,
+    },
+    /// With a radius at either end.
+    Cone {
+        from: V,
+        to: V,
+        radii: [f64; 2],
+    },
+    Sphere {
+        center: V,
+        radius: f64,
+    },
+    Slab {
+        normal: V,
+        low: f64,
+        high: f64,
+    },
+    Torus {
+        center: V,
+        axis: V,
+        ring: f64,
+        tube: f64,
+    },
     Any(Vec<Solid>),
     All(Vec<Solid>),
     Minus(Box<Solid>, Box<Solid>),
@@ -45,11 +68,24 @@ impl Solid {
                 let way = times(unit(sub(*to, *from)), by);
                 Self::Cylinder { from: sub(*from, way), to: add(*to, way), radius: radius + by }
             }
+            Self::Cone { from, to, radii: [low, high] } => {
+                // Wider where the side moves out, and as the caps do.
+                let (axis, rise) = (sub(*to, *from), high - low);
+                let way = times(unit(axis), by);
+                let slope = rise / length(axis);
+                let wider = by * (1.0 + slope * slope).sqrt();
+                let radii = [low + wider - by * slope, high + wider + by * slope];
+                let radii = radii.map(|radius| radius.max(0.0));
+                Self::Cone { from: sub(*from, way), to: add(*to, way), radii }
+            }
             Self::Sphere { center, radius } => {
                 Self::Sphere { center: *center, radius: radius + by }
             }
             Self::Slab { normal, low, high } => {
                 Self::Slab { normal: *normal, low: low - by, high: high + by }
+            }
+            Self::Torus { center, axis, ring, tube } => {
+                Self::Torus { center: *center, axis: *axis, ring: *ring, tube: tube + by }
             }
             Self::Any(parts) => Self::Any(all(parts)),
             Self::All(parts) => Self::All(all(parts)),
@@ -68,8 +104,18 @@ impl Solid {
                 let across = cross(u, unit(axis));
                 (0.0..=dot(axis, axis)).contains(&along) && length(across) <= *radius
             }
+            Self::Cone { from, to, radii: [low, high] } => {
+                let axis = sub(*to, *from);
+                let u = sub(p, *from);
+                let part = dot(u, axis) / dot(axis, axis);
+                let radius = low + (high - low) * part;
+                (0.0..=1.0).contains(&part) && length(cross(u, unit(axis))) <= radius
+            }
             Self::Sphere { center, radius } => length(sub(p, *center)) <= *radius,
             Self::Slab { normal, low, high } => (*low..=*high).contains(&dot(p, unit(*normal))),
+            Self::Torus { center, axis, ring, tube } => {
+                length(from_ring(sub(p, *center), unit(*axis), *ring)) <= *tube
+            }
             Self::Any(parts) => parts.iter().any(|part| part.contains(p)),
             Self::All(parts) => parts.iter().all(|part| part.contains(p)),
             Self::Minus(left, right) => left.contains(p) && !right.contains(p),
@@ -88,6 +134,18 @@ impl Solid {
                 let (u, d) = (reject(sub(ray.origin, *from)), reject(ray.direction));
                 quadratic(u, d, *radius, found);
             }
+            Self::Cone { from, to, radii: [low, high] } => {
+                let way = sub(*to, *from);
+                let axis = unit(way);
+                plane(ray, times(axis, -1.0), -dot(axis, *from), found);
+                plane(ray, axis, dot(axis, *to), found);
+                let slope = (high - low) / length(way);
+                let reject = |v: V| sub(v, times(axis, dot(v, axis)));
+                let u = sub(ray.origin, *from);
+                let radius = low + slope * dot(u, axis);
+                let growth = slope * dot(ray.direction, axis);
+                nappes(reject(u), reject(ray.direction), [radius, growth], (axis, slope), found);
+            }
             Self::Sphere { center, radius } => {
                 quadratic(sub(ray.origin, *center), ray.direction, *radius, found);
             }
@@ -95,6 +153,16 @@ impl Solid {
                 let normal = unit(*normal);
                 plane(ray, times(normal, -1.0), -low, found);
                 plane(ray, normal, *high, found);
+            }
+            Self::Torus { center, axis, ring, tube } => {
+                let way = |t| from_ring(sub(ray.at(t), *center), unit(*axis), *ring);
+                let speed = length(ray.direction);
+                let middle = dot(sub(*center, ray.origin), ray.direction) / (speed * speed);
+                let half = (ring + tube) / speed;
+                let distance = |t| (length(way(t)) - tube) / speed;
+                let mut roots = Vec::new();
+                zeros(&distance, [middle - half, middle + half], &mut roots);
+                found.extend(roots.into_iter().map(|t| Crossing { t, normal: unit(way(t)) }));
             }
             Self::Any(parts) | Self::All(parts) => {
                 parts.iter().for_each(|part| part.candidates(ray, found));
@@ -138,6 +206,36 @@ impl Solid {
     }
 }
 
+/// The way to a point from the nearest point of a circle around (0, 0, 0).
+fn from_ring(u: V, axis: V, ring: f64) -> V {
+    let across = sub(u, times(axis, dot(u, axis)));
+    // On the axis, all points of the circle are as far.
+    let far = length(across).max(1e-300);
+    sub(u, times(across, ring / far))
+}
+
+/// Where a function changes its sign that changes by no more than its argument does: so halves that are
+/// far from zero in their middle have none.
+fn zeros(of: &impl Fn(f64) -> f64, [low, high]: [f64; 2], found: &mut Vec<f64>) {
+    let (middle, half) = ((low + high) / 2.0, (high - low) / 2.0);
+    if of(middle).abs() > half * (1.0 + 1e-9) {
+        return;
+    }
+    if half > 1e-6 {
+        zeros(of, [low, middle], found);
+        zeros(of, [middle, high], found);
+        return;
+    }
+    let ([mut low, mut high], is_inside) = ([low, high], of(low) < 0.0);
+    if is_inside != (of(high) < 0.0) {
+        for _ in 0..40 {
+            let middle = (low + high) / 2.0;
+            if (of(middle) < 0.0) == is_inside { low = middle } else { high = middle }
+        }
+        found.push((low + high) / 2.0);
+    }
+}
+
 /// `normal · p = offset`.
 fn plane(ray: &Ray, normal: V, offset: f64, found: &mut Vec<Crossing>) {
     let speed = dot(normal, ray.direction);
@@ -154,6 +252,21 @@ fn quadratic(u: V, d: V, radius: f64, found: &mut Vec<Crossing>) {
         for root in [-discriminant.sqrt(), discriminant.sqrt()] {
             let t = (-b + root) / a;
             found.push(Crossing { t, normal: times(add(u, times(d, t)), 1.0 / radius) });
+        }
+    }
+}
+
+/// |u + t·d| = ±(r + t·g), with one root or two; the normal leans against the axis by the slope.
+fn nappes(u: V, d: V, [r, g]: [f64; 2], (axis, slope): (V, f64), found: &mut Vec<Crossing>) {
+    let (a, b, c) = (dot(d, d) - g * g, dot(u, d) - r * g, dot(u, u) - r * r);
+    let discriminant = (b * b - a * c).max(0.0);
+    // The larger of −b ± √D, so that neither root is lost where a is about zero.
+    let s = -b - discriminant.sqrt().copysign(b);
+    for t in [s / a, c / s] {
+        let outward = unit(add(u, times(d, t)));
+        let normal = unit(sub(outward, times(axis, slope)));
+        if t.is_finite() {
+            found.push(Crossing { t, normal });
         }
     }
 }

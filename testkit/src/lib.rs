@@ -6,10 +6,12 @@
 pub mod bspline;
 pub mod bspline_table;
 pub mod caster;
+pub mod cone_oracle;
 pub mod cylinder_table;
 pub mod limits;
 pub mod number;
 pub mod oracle;
+pub mod quartic;
 pub mod query;
 pub mod random;
 pub mod surd;

@@ -66,6 +66,16 @@ pub const CYLINDER_F32: f64 = 4.0;
 /// The same as a multiple of the bound by rounding errors, in `f32` and `f64`.
 pub const CYLINDER_BOUND: f64 = 2.0;
 
+/// Parameters of lines at a torus, in ulps or LSB: 99th percentile and maximum.
+pub const TORUS_F32: [f64; 2] = [0.6, 1.0];
+pub const TORUS_F64: [f64; 2] = [64.0, 4096.0];
+pub const TORUS_F64_GRAZING: [f64; 2] = [1024.0, 16_384.0];
+pub const TORUS_FIXED: [f64; 2] = [0.6, 1.0];
+/// A torus's hit points off their surface, for coordinates below 4.
+pub const TORUS_POINT: Units = Units::new(8.0, 3.0);
+/// Its normals: what the point's error is seen as over the tube's radius, and their own.
+pub const TORUS_NORMAL: [Units; 2] = [Units::new(8.0, 4.0), Units::new(4.0, 2.0)];
+
 /// The benchmark's sets of rays in `f32`: 99th percentile and maximum of an entry and of an exit in
 /// ulps.
 pub const SHARP_P99: f64 = 2.0;

@@ -4,9 +4,10 @@
 use crate::limits;
 use fixed::types::{I8F24, I20F12, I24F8};
 use scancsg::geom::{Pose, PoseError, Ray, Vec3, vec3};
-use scancsg::scalar::{I16F16, Scalar};
+use scancsg::scalar::{FixedPoint, I16F16, Scalar};
 use scancsg::solid::{
-    Cylinder, CylinderError, RayCast, Slab, SlabError, Solid, Sphere, SphereError,
+    Cone, ConeError, Cylinder, CylinderError, RayCast, Slab, SlabError, Solid, Sphere, SphereError,
+    Torus, TorusError,
 };
 use scancsg::span::SpanList;
 
@@ -44,9 +45,6 @@ pub trait Tested: Scalar {
     /// The nearest number.
     fn near(x: f64) -> Self;
 
-    /// The same number, exactly.
-    fn to_f64(self) -> f64;
-
     /// The next larger number.
     fn up(self) -> Self;
 
@@ -68,13 +66,44 @@ pub trait Tested: Scalar {
         radius: Self,
     ) -> Result<Cylinder<Self>, CylinderError>;
 
+    /// A cone as [`along`](Self::along) makes cylinders.
+    fn cone_along(
+        axis: usize,
+        middle: [Self; 2],
+        radii: [Self; 2],
+        low: Self,
+        high: Self,
+    ) -> Result<Cone<Self>, ConeError>;
+
+    fn cone_between(
+        from: Vec3<Self>,
+        to: Vec3<Self>,
+        radii: [Self; 2],
+    ) -> Result<Cone<Self>, ConeError>;
+
     fn slab_along(axis: usize, low: Self, high: Self) -> Result<Slab<Self>, SlabError>;
 
     fn slab(normal: Vec3<Self>, low: Self, high: Self) -> Result<Slab<Self>, SlabError>;
 
     fn sphere(center: Vec3<Self>, radius: Self) -> Result<Sphere<Self>, SphereError>;
 
+    /// A torus with its axis along coordinate axis 0, 1 or 2; `radii` are those of ring and tube.
+    fn torus_along(
+        axis: usize,
+        center: Vec3<Self>,
+        radii: [Self; 2],
+    ) -> Result<Torus<Self>, TorusError>;
+
+    fn torus(
+        center: Vec3<Self>,
+        axis: Vec3<Self>,
+        radii: [Self; 2],
+    ) -> Result<Torus<Self>, TorusError>;
+
     fn translation(by: Vec3<Self>) -> Result<Pose<Self>, PoseError>;
+
+    /// A direction as solids hold it, exactly.
+    fn rounded_axis(axis: Vec3<Self>) -> [f64; 3];
 }
 
 /// The constructors of a type, for the inside of `impl Tested`.
@@ -102,6 +131,28 @@ macro_rules! constructors {
             Cylinder::<$S>::between(from, to, radius)
         }
 
+        fn cone_along(
+            axis: usize,
+            [a, b]: [Self; 2],
+            radii: [Self; 2],
+            low: Self,
+            high: Self,
+        ) -> Result<Cone<Self>, ConeError> {
+            match axis {
+                0 => Cone::<$S>::along_x(a, b, radii, low, high),
+                1 => Cone::<$S>::along_y(a, b, radii, low, high),
+                _ => Cone::<$S>::along_z(a, b, radii, low, high),
+            }
+        }
+
+        fn cone_between(
+            from: Vec3<Self>,
+            to: Vec3<Self>,
+            radii: [Self; 2],
+        ) -> Result<Cone<Self>, ConeError> {
+            Cone::<$S>::between(from, to, radii)
+        }
+
         fn slab_along(axis: usize, low: Self, high: Self) -> Result<Slab<Self>, SlabError> {
             match axis {
                 0 => Slab::<$S>::along_x(low, high),
@@ -116,6 +167,26 @@ macro_rules! constructors {
 
         fn sphere(center: Vec3<Self>, radius: Self) -> Result<Sphere<Self>, SphereError> {
             Sphere::<$S>::new(center, radius)
+        }
+
+        fn torus_along(
+            axis: usize,
+            center: Vec3<Self>,
+            [ring, tube]: [Self; 2],
+        ) -> Result<Torus<Self>, TorusError> {
+            match axis {
+                0 => Torus::<$S>::along_x(center, ring, tube),
+                1 => Torus::<$S>::along_y(center, ring, tube),
+                _ => Torus::<$S>::along_z(center, ring, tube),
+            }
+        }
+
+        fn torus(
+            center: Vec3<Self>,
+            axis: Vec3<Self>,
+            [ring, tube]: [Self; 2],
+        ) -> Result<Torus<Self>, TorusError> {
+            Torus::<$S>::new(center, axis, ring, tube)
         }
 
         fn translation(by: Vec3<Self>) -> Result<Pose<Self>, PoseError> {
@@ -135,16 +206,16 @@ macro_rules! float {
                 x as $S
             }
 
-            fn to_f64(self) -> f64 {
-                self.into()
-            }
-
             fn up(self) -> Self {
                 self.next_up()
             }
 
             fn down(self) -> Self {
                 self.next_down()
+            }
+
+            fn rounded_axis(axis: Vec3<Self>) -> [f64; 3] {
+                Self::normalized(axis.to_array()).unwrap().map(f64::from)
             }
 
             constructors!($S);
@@ -167,16 +238,17 @@ macro_rules! fixed {
                 Self::from_bits((x * 2f64.powi(Self::FRAC_NBITS as i32)).round() as i32)
             }
 
-            fn to_f64(self) -> f64 {
-                f64::from(self.to_bits()) * 0.5f64.powi(Self::FRAC_NBITS as i32)
-            }
-
             fn up(self) -> Self {
                 Self::from_bits(self.to_bits() + 1)
             }
 
             fn down(self) -> Self {
                 Self::from_bits(self.to_bits() - 1)
+            }
+
+            fn rounded_axis(axis: Vec3<Self>) -> [f64; 3] {
+                let units = Self::normalized(axis.to_array()).unwrap();
+                units.map(|unit| f64::from(Self::unit_bits(unit)) / f64::from(1 << 28))
             }
 
             constructors!($S);

@@ -207,7 +207,7 @@ impl Bound {
 }
 
 /// Finite numbers as whole numbers of one power of two, and its exponent.
-fn whole<const N: usize>(numbers: [f64; N]) -> ([IBig; N], i32) {
+pub(crate) fn whole<const N: usize>(numbers: [f64; N]) -> ([IBig; N], i32) {
     let parts = numbers.map(|x| {
         let bits = x.to_bits();
         let (field, fraction) = ((bits >> 52 & 0x7ff) as i32, bits & ((1 << 52) - 1));

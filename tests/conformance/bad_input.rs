@@ -4,7 +4,7 @@
 use crate::number::{Tested, ball, ray, spans, vector};
 use scancsg::geom::{Pose, PoseError, Ray, RayError, Vec3};
 use scancsg::render::{CameraError, Depth, Lambert, Orthographic, Perspective, ShadeError, XRay};
-use scancsg::solid::{CylinderError, SlabError, SphereError};
+use scancsg::solid::{CylinderError, SlabError, SphereError, TorusError};
 use std::fmt::Debug;
 
 for_every_number!(
@@ -12,6 +12,7 @@ for_every_number!(
     beyond_the_range_of_the_number_type,
     spheres,
     slabs,
+    tori,
     rays,
     poses,
     orthographic_cameras,
@@ -132,6 +133,42 @@ fn spheres<S: Tested>() {
     }
 }
 
+fn tori<S: Tested>() {
+    use TorusError::{NotFinite, Radius, TooFar, Tube, ZeroAxis};
+    at_every_place([1.0, 2.0, 3.0, 0.0, 1.0, 0.5, 2.0, 1.0], NotFinite, |x: [S; 8]| {
+        S::torus(vec_of(&x), vec_of(&x[3..]), [x[6], x[7]])
+    });
+    for axis in 0..3 {
+        at_every_place([1.0, 2.0, 3.0, 2.0, 1.0], NotFinite, |x: [S; 5]| {
+            S::torus_along(axis, vec_of(&x), [x[3], x[4]])
+        });
+        let along = |center, radii: [f64; 2]| {
+            S::torus_along(axis, vector(center), radii.map(S::near)).err()
+        };
+        let (least, most) = (S::MIN_RADIUS, S::MAX_COORDINATE);
+        let below = least.down().to_f64();
+        for radii in [[1.0, 0.0], [1.0, -0.5], [0.0, 0.5], [-1.0, 0.5], [1.0, -0.0], [1.0, below]] {
+            assert_eq!(along([0.0; 3], radii), Some(Radius), "{radii:?}");
+        }
+        assert_eq!(along([0.0; 3], [most.up().to_f64(), 1.0]), Some(Radius));
+        for radii in [[1.0, 1.0], [1.0, 1.5], [1.0, S::ONE.up().to_f64()]] {
+            assert_eq!(along([0.0; 3], radii), Some(Tube), "{radii:?}");
+        }
+        assert_eq!(along([0.0, most.up().to_f64(), 0.0], [2.0, 1.0]), Some(TooFar));
+        // As wide as may be, and as large.
+        assert_eq!(along([0.0; 3], [1.0, S::ONE.down().to_f64()]), None);
+        let large = most.to_f64();
+        let widest = S::torus_along(axis, Vec3::ZERO, [most, S::near(0.75 * large)]).unwrap();
+        let ends = spans(&widest, &ray::<S>([large, large, large], [-1.0, -1.0, -1.0]));
+        assert_eq!(ends.len(), 2, "{ends:?}");
+        assert!(ends.iter().all(|(enter, exit)| 0.0 < *enter && *exit < 2.0 * large));
+    }
+    for axis in [[0.0; 3], [-0.0, 0.0, 0.0]] {
+        let radii = [2.0, 1.0].map(S::near);
+        assert_eq!(S::torus(Vec3::ZERO, vector(axis), radii).err(), Some(ZeroAxis));
+    }
+}
+
 fn slabs<S: Tested>() {
     use SlabError::{Empty, NotFinite, ZeroNormal};
     at_every_place([1.0, 2.0, 3.0, -1.0, 1.0], NotFinite, |x: [S; 5]| {
@@ -190,6 +227,18 @@ fn poses<S: Tested>() {
     // A corner at reach is farther away than that once it's turned.
     let eighth = Pose::rotation_y(S::near(std::f64::consts::FRAC_PI_4)).unwrap();
     assert_eq!(there.then(&eighth).err(), Some(PoseError::TooFar));
+    assert_eq!(eighth.then(&there).unwrap().inverse().err(), Some(PoseError::TooFar));
+    let half = Pose::rotation_y(S::near(std::f64::consts::PI)).unwrap();
+    assert_eq!(half.around(vector([-reach, 0.0, reach])).err(), Some(PoseError::TooFar));
+    at_every_place([1.0, 2.0, 3.0], PoseError::NotFinite, |x: [S; 3]| eighth.around(vec_of(&x)));
+    for axis in [[1.0, 2.0, 3.0], [0.0, -1.0, 0.0]] {
+        let [x, y, z] = axis;
+        at_every_place([x, y, z, 0.5], PoseError::NotFinite, |x: [S; 4]| {
+            Pose::about(vec_of(&x), x[3])
+        });
+    }
+    let zero = vector::<S>([0.0, -0.0, 0.0]);
+    assert_eq!(Pose::about(zero, S::ONE).err(), Some(PoseError::ZeroAxis));
 }
 
 fn orthographic_cameras<S: Tested>() {

@@ -3,7 +3,7 @@
 
 use proptest::prelude::*;
 use scancsg::geom::{Axis, Vec3};
-use scancsg::solid::{Cylinder, Slab, Sphere};
+use scancsg::solid::{Cone, Cylinder, Slab, Sphere, Torus};
 use testkit::number::Tested;
 
 for_every_number!(constructors_of_any_number_are_those_of_constants,);
@@ -23,9 +23,14 @@ fn constructors_of_any_number_are_those_of_constants<S: Tested>() {
         let cylinder = Cylinder::<S>::along(axis, [a, b], c, d, e);
         prop_assert_eq!(cylinder, S::along(axis as usize, [a, b], c, d, e));
         prop_assert_eq!(Cylinder::<S>::from_to(p, q, a), S::between(p, q, a));
+        let cone = Cone::<S>::along(axis, [a, b], [c, f], d, e);
+        prop_assert_eq!(cone, S::cone_along(axis as usize, [a, b], [c, f], d, e));
+        prop_assert_eq!(Cone::<S>::from_to(p, q, [a, b]), S::cone_between(p, q, [a, b]));
         prop_assert_eq!(Sphere::<S>::around(p, d), S::sphere(p, d));
         prop_assert_eq!(Slab::<S>::across(axis, a, b), S::slab_along(axis as usize, a, b));
         prop_assert_eq!(Slab::<S>::facing(p, d, e), S::slab(p, d, e));
+        prop_assert_eq!(Torus::<S>::along(axis, p, d, e), S::torus_along(axis as usize, p, [d, e]));
+        prop_assert_eq!(Torus::<S>::around(p, q, a, b), S::torus(p, q, [a, b]));
     });
     assert!(Cylinder::<S>::along(Axis::Y, [S::ZERO; 2], S::ONE, S::ZERO, S::ONE).is_ok());
 }

@@ -10,7 +10,7 @@ use scancsg::render::{
     Camera, CameraError, Depth, Gray8, Lambert, Orthographic, Perspective, Picture, RowError,
     Shader, Size, XRay,
 };
-use scancsg::scalar::{I16F16, Scalar};
+use scancsg::scalar::{I16F16, Number, Scalar};
 use scancsg::solid::{
     Cylinder, CylinderWall, Difference, Intersection, RayCast, Scan, Slab, Sphere, Union,
 };

@@ -9,7 +9,8 @@ use crate::number::{Tested, between, coordinates, ray, rod, spans, vector};
 use proptest::prelude::*;
 use scancsg::geom::{Line, Pose, Ray, Vec3, vec3};
 use scancsg::solid::{
-    Cylinder, Difference, Intersection, Placed, RayCast, Shape, Slab, Solid, Sphere, Union,
+    Cone, Cylinder, Difference, Intersection, Placed, RayCast, Scaled, Shape, Slab, Solid, Sphere,
+    Torus, Union,
 };
 use scancsg::span::{Face, SpanList, SpanStack};
 
@@ -35,14 +36,17 @@ for_every_number!(
 #[derive(Debug, Clone, Copy)]
 enum Primitive<S: Tested> {
     Cylinder(Cylinder<S>),
+    Cone(Cone<S>),
     Slab(Slab<S>),
     Sphere(Sphere<S>),
+    Scaled(Scaled<Sphere<S>>),
+    Torus(Torus<S>),
 }
 
 impl<S: Tested> Shape for Primitive<S> {
     type Scalar = S;
-    const SPANS: usize = 1;
-    const STACK: usize = 1;
+    const SPANS: usize = 2;
+    const STACK: usize = 2;
     const FACES: u16 = 3;
 }
 
@@ -50,16 +54,22 @@ impl<S: Tested> Solid for Primitive<S> {
     fn spans(&self, line: &Line<S>, first: Face, stack: &mut SpanStack<'_, S>) {
         match self {
             Self::Cylinder(solid) => solid.spans(line, first, stack),
+            Self::Cone(solid) => solid.spans(line, first, stack),
             Self::Slab(solid) => solid.spans(line, first, stack),
             Self::Sphere(solid) => solid.spans(line, first, stack),
+            Self::Scaled(solid) => solid.spans(line, first, stack),
+            Self::Torus(solid) => solid.spans(line, first, stack),
         }
     }
 
     fn normal(&self, face: Face, at: Vec3<S>) -> Vec3<S> {
         match self {
             Self::Cylinder(solid) => solid.normal(face, at),
+            Self::Cone(solid) => solid.normal(face, at),
             Self::Slab(solid) => solid.normal(face, at),
             Self::Sphere(solid) => solid.normal(face, at),
+            Self::Scaled(solid) => solid.normal(face, at),
+            Self::Torus(solid) => solid.normal(face, at),
         }
     }
 }
@@ -97,12 +107,24 @@ fn primitive<S: Tested>() -> BoxedStrategy<Primitive<S>> {
         2 => (point(), point(), size()).prop_filter_map("coincident", |(from, to, radius)| {
             S::between(from, to, radius).ok().map(Primitive::Cylinder)
         }),
+        2 => (point(), point(), size(), size()).prop_filter_map("coincident", |(from, to, a, b)| {
+            // A tip for the smallest sizes.
+            let b = if b < S::near(0.6) { S::ZERO } else { b };
+            S::cone_between(from, to, [a, b]).ok().map(Primitive::Cone)
+        }),
         1 => (point(), coordinate(), size())
             .prop_filter_map("no normal", |(normal, low, width): (_, S, S)| {
                 S::slab(normal, low, low.plus(width)).ok().map(Primitive::Slab)
             }),
         1 => (point(), size())
             .prop_map(|(center, radius)| Primitive::Sphere(S::sphere(center, radius).unwrap())),
+        1 => (point(), size(), [size::<S>(), size(), size()]).prop_map(|(center, radius, factors)| {
+            let ball = S::sphere(center, radius).unwrap();
+            Primitive::Scaled(Scaled::by(ball, factors).unwrap())
+        }),
+        1 => (point(), point(), size::<S>(), size()).prop_filter_map("no torus", |(at, axis, one, other)| {
+            S::torus(at, axis, [one.max(other), one.min(other)]).ok().map(Primitive::Torus)
+        }),
     ]
     .boxed()
 }

@@ -20,7 +20,7 @@ use scancsg::render::{
     Camera, Depth, Gray8, Lambert, Orthographic, Perspective, Picture, Shader, Size, XRay,
 };
 use scancsg::solid::{
-    Cylinder, Difference, Intersection, RayCast, Scan, Slab, Solid, Sphere, Union,
+    Cone, Cylinder, Difference, Intersection, RayCast, Scan, Slab, Solid, Sphere, Torus, Union,
 };
 use scancsg::span::SpanList;
 
@@ -70,8 +70,8 @@ fn rays_near<S: Tested>(view: &Model, pixel: [u16; 2], size: [u16; 2], by: f64) 
 
 /// What a comparison found.
 #[derive(Debug, Default)]
-struct Found {
-    covered: usize,
+pub struct Found {
+    pub covered: usize,
     /// Of another class than the caster says, at a silhouette.
     at_silhouettes: usize,
     /// Farther off in depth, but not than the pixel's surroundings.
@@ -135,7 +135,7 @@ fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
 }
 
-fn compare<S, T, C>(
+pub fn compare<S, T, C>(
     (solid, model): (&T, &ModelSolid),
     (camera, view): (&C, &Model),
     size: [u16; 2],
@@ -203,12 +203,12 @@ where
 }
 
 /// The coordinates as the number type holds them.
-fn held<S: Tested>(v: V) -> V {
+pub fn held<S: Tested>(v: V) -> V {
     v.map(|x| S::near(x).to_f64())
 }
 
 /// A camera in both worlds.
-fn orthographic<S: Tested>(
+pub fn orthographic<S: Tested>(
     way: V,
     target: V,
     up: V,
@@ -227,7 +227,7 @@ fn orthographic<S: Tested>(
     (camera, view)
 }
 
-fn perspective<S: Tested>([eye, target]: [V; 2], up: V, field: f64) -> (Perspective<S>, Model) {
+pub fn perspective<S: Tested>([eye, target]: [V; 2], up: V, field: f64) -> (Perspective<S>, Model) {
     let field = S::near(field);
     let camera = Perspective::look_at(vector(eye), vector(target), vector(up), field).unwrap();
     let (eye, target) = (held::<S>(eye), held::<S>(target));
@@ -258,7 +258,7 @@ const BORES: [(usize, [f64; 2], [f64; 3]); 6] = [
     (0, [0.0, 1.3], [0.15, -3.0, 3.0]),
     (0, [0.0, -1.3], [0.15, -3.0, 3.0]),
 ];
-const UP: V = [0.0, 1.0, 0.0];
+pub const UP: V = [0.0, 1.0, 0.0];
 const VIEW: V = [-0.6 * 0.866_025_4, -0.5, -0.8 * 0.866_025_4];
 const TO_LIGHT: V = [0.25, 0.85, 0.45];
 
@@ -340,11 +340,11 @@ fn tee_covers_41937_pixels() {
 // Random scenes.
 
 type Part<S> = Difference<
-    Union<[Cylinder<S>; 3], [Sphere<S>; 2]>,
-    Union<[Cylinder<S>; 2], Intersection<Slab<S>, Sphere<S>>>,
+    Union<Union<Union<[Cylinder<S>; 3], [Sphere<S>; 2]>, Cone<S>>, Torus<S>>,
+    Union<Union<[Cylinder<S>; 2], Intersection<Slab<S>, Sphere<S>>>, Cone<S>>,
 >;
 
-fn point<S: Tested>() -> impl Strategy<Value = V> {
+pub fn point<S: Tested>() -> impl Strategy<Value = V> {
     prop::array::uniform3(-2.0..2.0).prop_map(held::<S>)
 }
 
@@ -366,11 +366,40 @@ fn cylinder<S: Tested>() -> impl Strategy<Value = (Cylinder<S>, ModelSolid)> {
     })
 }
 
+/// A cone, oblique or exactly along x, y or z, in both worlds: with a tip, about as wide at both ends, or
+/// neither.
+pub fn cone<S: Tested>() -> impl Strategy<Value = (Cone<S>, ModelSolid)> {
+    let slope = prop_oneof![Just(0.0), 0.0..1.0, 0.98..1.0];
+    (cylinder::<S>(), slope, prop::bool::ANY).prop_filter_map("no cone", |(rod, part, turn)| {
+        let ModelSolid::Cylinder { from, to, radius } = rod.1 else { return None };
+        let other = S::near(radius * part);
+        let radii = if turn { [other, S::near(radius)] } else { [S::near(radius), other] };
+        let solid = S::cone_between(vector(from), vector(to), radii).ok()?;
+        Some((solid, ModelSolid::Cone { from, to, radii: radii.map(S::to_f64) }))
+    })
+}
+
 fn sphere<S: Tested>() -> impl Strategy<Value = (Sphere<S>, ModelSolid)> {
     (point::<S>(), 0.3..1.2).prop_map(|(center, radius)| {
         let solid = number::ball(center, radius);
         (solid, ModelSolid::Sphere { center, radius: S::near(radius).to_f64() })
     })
+}
+
+fn torus<S: Tested>() -> impl Strategy<Value = (Torus<S>, ModelSolid)> {
+    let axis = (point::<S>(), 0..4usize).prop_map(|(axis, along)| {
+        if along == 3 { axis } else { std::array::from_fn(|i| f64::from(u8::from(i == along))) }
+    });
+    (point::<S>(), axis, 0.4..1.5, 0.1..0.9).prop_filter_map(
+        "no axis",
+        |(center, axis, ring, part)| {
+            let radii: [S; 2] = [ring, ring * part].map(S::near);
+            let solid = S::torus(vector(center), vector(axis), radii).ok()?;
+            let [ring, tube] = radii.map(S::to_f64);
+            let model = ModelSolid::Torus { center, axis, ring, tube };
+            (caster::length(axis) > 0.1).then_some((solid, model))
+        },
+    )
 }
 
 fn slab<S: Tested>() -> impl Strategy<Value = (Slab<S>, ModelSolid)> {
@@ -384,20 +413,20 @@ fn slab<S: Tested>() -> impl Strategy<Value = (Slab<S>, ModelSolid)> {
 
 fn part<S: Tested>() -> BoxedStrategy<(Part<S>, ModelSolid)> {
     let cylinders = (cylinder(), cylinder(), cylinder(), cylinder(), cylinder());
-    (cylinders, (sphere(), sphere(), sphere()), slab())
-        .prop_map(|((a, b, c, d, e), (f, g, h), i)| {
+    (cylinders, (sphere(), sphere(), sphere()), slab(), (cone(), cone(), torus()))
+        .prop_map(|((a, b, c, d, e), (f, g, h), i, (j, k, l))| {
             let solid = Difference::new(
-                Union::new([a.0, b.0, c.0], [f.0, g.0]),
-                Union::new([d.0, e.0], Intersection::new(i.0, h.0)),
+                Union::new(Union::new(Union::new([a.0, b.0, c.0], [f.0, g.0]), j.0), l.0),
+                Union::new(Union::new([d.0, e.0], Intersection::new(i.0, h.0)), k.0),
             );
-            let cut = ModelSolid::Any(vec![d.1, e.1, ModelSolid::All(vec![i.1, h.1])]);
-            let body = ModelSolid::Any(vec![a.1, b.1, c.1, f.1, g.1]);
+            let cut = ModelSolid::Any(vec![d.1, e.1, ModelSolid::All(vec![i.1, h.1]), k.1]);
+            let body = ModelSolid::Any(vec![a.1, b.1, c.1, f.1, g.1, j.1, l.1]);
             (solid, ModelSolid::Minus(Box::new(body), Box::new(cut)))
         })
         .boxed()
 }
 
-const SIZE: [u16; 2] = [24, 19];
+pub const SIZE: [u16; 2] = [24, 19];
 
 /// An orthographic picture along `way` with 6 units of frame height.
 fn check_orthographic<S: Tested>(
@@ -418,14 +447,14 @@ fn check_perspective<S: Tested>(
     compare((&part.0, &part.1), (&camera, &view), SIZE).map(|_| ())
 }
 
-fn direction<S: Tested>() -> impl Strategy<Value = V> {
+pub fn direction<S: Tested>() -> impl Strategy<Value = V> {
     prop::array::uniform3(-1.0..1.0)
         .prop_map(held::<S>)
         .prop_filter("too short", |&v| caster::length(v) > 0.2)
 }
 
 /// Most for those types that pictures are made with on small computers.
-fn config<S: Tested>() -> ProptestConfig {
+pub fn config<S: Tested>() -> ProptestConfig {
     let is_of_small_computers = size_of::<S>() == 4 && S::UNIT < COARSE;
     ProptestConfig::with_cases(if is_of_small_computers { 50 } else { 10 })
 }

@@ -5,11 +5,13 @@
 use crate::number::{Tested, ball, between, vector};
 use crate::rows::{direction, from_middle, up};
 use proptest::prelude::*;
-use scancsg::geom::{Line, OrthographicRays, PerspectiveRays, Pose, Rays, Vec3};
+use scancsg::geom::{AffineMap, Axis, Line, OrthographicRays, PerspectiveRays, Pose, Rays, Vec3};
 use scancsg::render::{Camera, Orthographic, Perspective, Size};
+use scancsg::scalar::Scalar;
 use scancsg::scan::{ColumnRun, Empty, Leaf, Scan};
 use scancsg::solid::{
-    Cylinder, Difference, Intersection, Painted, Placed, Rgb, Slab, Solid, Sphere, Union,
+    Cone, Cuboid, Cylinder, Difference, Intersection, Painted, Placed, Polyhedron, Rgb, Scaled,
+    Slab, Solid, Sphere, Torus, Union,
 };
 use scancsg::span::walk::{Cold, Hot, Path, Step};
 use scancsg::span::{Crossing, Face, Shape, Span, SpanList, SpanStack};
@@ -26,12 +28,12 @@ thread_local! {
     static PIXEL: Cell<(i32, i32, u32)> = const { Cell::new((0, 0, 0)) };
 }
 
-/// A leaf, asked for its span in a pixel.
+/// A leaf, asked for its spans in a pixel.
 struct ListedLeaf {
     /// The first of its faces among all of the tree, and their number.
     first: u16,
     faces: u16,
-    /// Sets an `Option<Span<S>>` of the right number type.
+    /// Sets a `Vec<Span<S>>` of the right number type.
     set: Ask,
 }
 
@@ -52,12 +54,12 @@ impl<T: Shape> Shape for Listed<T> {
 
 impl<T: Solid> Solid for Listed<T> {
     fn spans(&self, _: &Line<T::Scalar>, first: Face, stack: &mut SpanStack<'_, T::Scalar>) {
-        let mut span: Option<Span<T::Scalar>> = None;
+        let mut spans: Vec<Span<T::Scalar>> = Vec::new();
         LEAVES.with_borrow(|leaves| {
             let leaf = leaves.iter().find(|leaf| leaf.first == first.0).unwrap();
-            (leaf.set)(&mut span);
+            (leaf.set)(&mut spans);
         });
-        if let Some(Span { enter, exit }) = span {
+        for Span { enter, exit } in spans {
             let at = |crossing: Crossing<_>| Crossing {
                 face: Face(first.0 + crossing.face.0),
                 ..crossing
@@ -73,7 +75,7 @@ impl<T: Solid> Solid for Listed<T> {
 
 impl<R, T> Scan<R> for Listed<T>
 where
-    T: Leaf<R, Spans = [Span<<T as Shape>::Scalar>; 1]> + Copy + 'static,
+    T: Leaf<R, Spans: AsMut<[Span<<T as Shape>::Scalar>]>> + Copy + 'static,
     R: 'static,
 {
     type View = Option<()>;
@@ -84,17 +86,95 @@ where
         let leaf = self.0;
         let view = leaf.view(rays);
         let held = RefCell::new((i32::MIN, T::Row::EMPTY));
-        let set = move |span: &mut dyn Any| {
+        let set = move |spans: &mut dyn Any| {
             let (x, y, columns) = PIXEL.get();
             let (of_row, row) = &mut *held.borrow_mut();
             if *of_row != y {
                 (*of_row, *row) = (y, T::Row::EMPTY);
                 let _ = leaf.row(&view, y, columns, row);
             }
-            let mut spans = [Span::whole_line(Face(0))];
-            leaf.spans(&view, row, x, &mut spans);
-            let [Span { enter, exit }] = spans;
-            *span.downcast_mut().unwrap() = Span::new(enter, exit);
+            let mut kept = T::Spans::EMPTY;
+            kept.as_mut().fill(Span::whole_line(Face(0)));
+            leaf.spans(&view, row, x, &mut kept);
+            let with_length =
+                kept.as_mut().iter().filter_map(|span| Span::new(span.enter, span.exit));
+            *spans.downcast_mut::<Vec<Span<T::Scalar>>>().unwrap() = with_length.collect();
+        };
+        LEAVES.with_borrow_mut(|leaves| {
+            let first = leaves.last().map_or(0, |leaf| leaf.first + leaf.faces);
+            leaves.push(ListedLeaf { first, faces: T::FACES, set: Box::new(set) });
+        });
+    }
+
+    fn row(&self, _: &Option<()>, _: i32, _: u32, _: &mut Option<()>) {}
+
+    fn enter(_: &mut Option<()>, _: u32) -> ColumnRun {
+        ColumnRun { is_visible: true, until: u32::MAX }
+    }
+
+    fn contains<P: Path>(&self, _: &Option<()>, _: &mut Option<()>, _: i32, _: T::Scalar) -> bool {
+        unreachable!("only lists are asked for")
+    }
+
+    fn step<P: Path>(
+        &self,
+        _: &Option<()>,
+        _: &mut Option<()>,
+        _: i32,
+        _: T::Scalar,
+        _: Face,
+    ) -> Step<T::Scalar> {
+        unreachable!("only lists are asked for")
+    }
+}
+
+/// As [`Listed`], of a solid that is no leaf but has at most one span: what it says in a walk of its own.
+#[derive(Debug, Clone, Copy)]
+struct Walked<T>(T);
+
+impl<T: Shape> Shape for Walked<T> {
+    type Scalar = T::Scalar;
+    const SPANS: usize = T::SPANS;
+    const STACK: usize = T::STACK;
+    const FACES: u16 = T::FACES;
+}
+
+impl<T: Solid + Copy> Solid for Walked<T> {
+    fn spans(&self, line: &Line<T::Scalar>, first: Face, stack: &mut SpanStack<'_, T::Scalar>) {
+        Listed(self.0).spans(line, first, stack);
+    }
+
+    fn normal(&self, face: Face, at: Vec3<T::Scalar>) -> Vec3<T::Scalar> {
+        self.0.normal(face, at)
+    }
+}
+
+impl<R, T> Scan<R> for Walked<T>
+where
+    T: Scan<R, View: 'static, Row: 'static> + Copy + 'static,
+    R: 'static,
+{
+    type View = Option<()>;
+    type Row = Option<()>;
+
+    fn view(&self, rays: &R, _: &mut Option<()>) {
+        let solid = self.0;
+        let mut view = T::View::EMPTY;
+        solid.view(rays, &mut view);
+        let set = move |span: &mut dyn Any| {
+            let (x, y, columns) = PIXEL.get();
+            let mut row = T::Row::EMPTY;
+            solid.row(&view, y, columns, &mut row);
+            let column = (x + columns as i32 - 1) / 2;
+            *span.downcast_mut::<Option<Span<T::Scalar>>>().unwrap() = None;
+            if T::enter(&mut row, column as u32).is_visible {
+                let mut behind = |t| solid.step::<Cold>(&view, &mut row, x, t, Face(0));
+                let lowest = Crossing { t: T::Scalar::LOWEST, face: Face(0) };
+                let Step { inside, next } = behind(lowest.t);
+                let enter = if inside { lowest } else { next };
+                let exit = if inside { next } else { behind(next.t).next };
+                *span.downcast_mut().unwrap() = Span::new(enter, exit);
+            }
         };
         LEAVES.with_borrow_mut(|leaves| {
             let first = leaves.last().map_or(0, |leaf| leaf.first + leaf.faces);
@@ -249,6 +329,10 @@ where
     W: Solid<Scalar = S> + Scan<R>,
 {
     let (columns, height) = (size.width().into(), size.height());
+    // No picture is made of rays beyond the number type's range.
+    if !rays.fits(height) {
+        return Ok(0);
+    }
     LEAVES.with_borrow_mut(Vec::clear);
     let mut view = W::View::EMPTY;
     all.view(rays, &mut view);
@@ -289,7 +373,11 @@ impl Views {
         }
         let eye = vector(self.along.map(|way| -way * self.far));
         if let Ok(camera) = Perspective::look_at(eye, Vec3::ZERO, up(), S::ONE) {
-            crossings += check_walks((solid, all), &camera.rays(self.size), self.size)?;
+            let rays = camera.rays(self.size);
+            // Pictures refuse directions that a grid has no room for.
+            if rays.fits(self.size.height()) {
+                crossings += check_walks((solid, all), &rays, self.size)?;
+            }
         }
         Ok(crossings)
     }
@@ -307,31 +395,72 @@ fn views() -> impl Strategy<Value = Views> {
     })
 }
 
-/// What a tree is built of: rods, balls and slabs, and a group of rods drilled by another one.
+/// What a tree is built of: rods, balls and slabs, scaled rods and balls, and a group of rods drilled by
+/// another one.
 #[derive(Debug, Clone)]
-struct Leaves<R, B, L> {
+struct Leaves<R, B, L, C, O, X, P, D, E> {
     r: [R; 8],
     b: [B; 4],
     s: [L; 3],
+    c: [C; 3],
+    o: [O; 2],
+    x: [X; 2],
+    p: P,
+    drum: D,
+    egg: E,
     bored: Difference<[R; 2], [R; 2]>,
 }
 
-impl<R: Copy, B, L> Leaves<R, B, L> {
-    fn new(r: [R; 8], b: [B; 4], s: [L; 3]) -> Self {
-        Self { r, b, s, bored: Difference::new([r[0], r[1]], [r[2], r[3]]) }
+impl<R: Copy, B, L, C, O, X, P, D, E> Leaves<R, B, L, C, O, X, P, D, E> {
+    fn new(
+        (r, b, s, c, o): ([R; 8], [B; 4], [L; 3], [C; 3], [O; 2]),
+        (x, p, drum, egg): ([X; 2], P, D, E),
+    ) -> Self {
+        let bored = Difference::new([r[0], r[1]], [r[2], r[3]]);
+        Self { r, b, s, c, o, x, p, drum, egg, bored }
     }
 }
 
-type Drawn<S> = Leaves<Cylinder<S>, Sphere<S>, Slab<S>>;
+type Drawn<S> = Leaves<
+    Cylinder<S>,
+    Sphere<S>,
+    Slab<S>,
+    Cone<S>,
+    Torus<S>,
+    Cuboid<S>,
+    Polyhedron<S, 6>,
+    Scaled<Cylinder<S>>,
+    Scaled<Sphere<S>>,
+>;
 
 impl<S: Tested> Drawn<S> {
     fn drawn(
         rod: impl Strategy<Value = Cylinder<S>>,
         ball: impl Strategy<Value = Sphere<S>>,
         slab: impl Strategy<Value = Slab<S>>,
+        cone: impl Strategy<Value = Cone<S>>,
+        ring: impl Strategy<Value = Torus<S>>,
+        corner: impl Strategy<Value = f64>,
     ) -> impl Strategy<Value = Self> {
-        use proptest::array::{uniform3, uniform4, uniform8};
-        (uniform8(rod), uniform4(ball), uniform3(slab)).prop_map(|(r, b, s)| Self::new(r, b, s))
+        use proptest::array::{uniform2, uniform3, uniform4, uniform8};
+        let cuboids = uniform2((uniform3(corner), uniform3(1..4i32)));
+        let round = (uniform8(rod), uniform4(ball), uniform3(slab), uniform3(cone), uniform2(ring));
+        (round, cuboids).prop_map(|(round, cuboids)| {
+            let scale = |factors: [f64; 3]| AffineMap::scaling(factors.map(S::near)).unwrap();
+            let columns = [[0.5, 0.25, 0.0], [0.0, 1.0, 0.5], [0.25, 0.0, -1.5]].map(vector);
+            let shear = AffineMap::with_columns(columns, vector([0.5, 0.0, -0.25])).unwrap();
+            let egg = Scaled::new(round.1[3], scale([1.5, -0.5, 1.0]));
+            let drum = Scaled::new(round.0[7], shear);
+            let x = cuboids.map(|(low, halves)| {
+                let high: [f64; 3] = std::array::from_fn(|i| low[i] + f64::from(halves[i]) / 2.0);
+                Cuboid::between(vector(low), vector(high)).unwrap()
+            });
+            // A wedge on the first box's floor.
+            let [low, high] = x[0].corners();
+            let polygon = [[low.x, low.y], [high.x, low.y], [low.x, high.y]];
+            let wedge = Polyhedron::extruded(Axis::Z, polygon, low.z, high.z).unwrap();
+            Self::new(round, (x, wedge, drum, egg))
+        })
     }
 
     /// Trees of all operations; operands of each kind on either side; groups of primitives and of trees,
@@ -339,7 +468,16 @@ impl<S: Tested> Drawn<S> {
     fn check(&self, views: &Views) -> Result<u32, TestCaseError> {
         let shift = S::translation(vector([0.5, -1.0, 0.5])).unwrap();
         let pose = Pose::rotation_z(S::near(0.5)).and_then(|turn| turn.then(&shift)).unwrap();
-        let all = Leaves::new(self.r.map(Listed), self.b.map(Listed), self.s.map(Listed));
+        let all = Leaves::new(
+            (
+                self.r.map(Listed),
+                self.b.map(Listed),
+                self.s.map(Listed),
+                self.c.map(Listed),
+                self.o.map(Listed),
+            ),
+            (self.x.map(Listed), Listed(self.p), Walked(self.drum), Walked(self.egg)),
+        );
         // A tree of these, and the same of those that are listed.
         macro_rules! check {
             (|$of:ident| $($tree:expr;)+) => {
@@ -347,7 +485,8 @@ impl<S: Tested> Drawn<S> {
                     let $of = self;
                     let solid = $tree;
                     let $of = &all;
-                    views.check(&solid, &$tree)?
+                    let told = |error| TestCaseError::fail(format!("{error} in {}", stringify!($tree)));
+                    views.check(&solid, &$tree).map_err(told)?
                 }),+]
             };
         }
@@ -369,7 +508,16 @@ impl<S: Tested> Drawn<S> {
             );
             Intersection::new(of.b, [of.r[0] | of.r[1], of.r[2] | of.r[3]]);
             painted(of.r[0]) | (painted(of.r[1]) - Placed::new(&of.bored, pose));
+            Difference::new([of.c[0], of.c[1]], [of.r[0], of.r[1]]) | (of.c[2] & of.s[0]);
+            Difference::new([of.x[0], of.x[1]], [of.r[0], of.r[1]]) | (of.p - of.s[0]);
+            (of.r[0] - of.x[0]) | (of.b[0] - (of.p | Placed::new(&of.x[1], pose)));
+            (of.r[0] - of.c[0]) | (of.b[0] - (of.c[1] | Placed::new(&of.c[2], pose)));
+            Difference::new(Union::new(of.egg, of.r[0]), Intersection::new(of.drum, of.s[0]));
+            Difference::new(of.b[0], [Difference::new(of.egg, of.r[1]), Difference::new(of.egg, of.r[2])]);
+            Union::new(painted(of.drum), Placed::new(Difference::new(of.egg, of.b[1]), pose));
             Placed::new(&of.r[0], pose) & (of.b[0] | (Placed::new(&of.b[1], pose) - of.s[0]));
+            (of.o[0] - of.r[0]) | (of.b[0] - (of.o[1] & of.s[0]));
+            Difference::new(of.o, [of.r[0], of.r[1]]) | (painted(of.o[0]) & Placed::new(&of.o[1], pose));
         };
         Ok(counts.into_iter().sum())
     }
@@ -399,7 +547,22 @@ fn trees_of_whatever_touches<S: Tested>() {
         let [low, high] = [low, low + f64::from(wide) / 2.0].map(S::near);
         S::slab_along(axis, low, high).unwrap()
     });
-    check_trees(Drawn::drawn(rod, round, slab));
+    let radii = (0..4i32, 1..4i32, any::<bool>())
+        .prop_map(|(a, b, turn)| if turn { [a, b] } else { [b, a] });
+    let cone = (0..3usize, [grid(2), grid(2)], radii, grid(3), 1..5i32).prop_map(
+        |(axis, middle, radii, low, long)| {
+            let radii = radii.map(|halves| S::near(f64::from(halves) / 2.0));
+            let [low, high] = [low, low + f64::from(long) / 2.0].map(S::near);
+            S::cone_along(axis, middle.map(S::near), radii, low, high).unwrap()
+        },
+    );
+    let ring = (0..3usize, [grid(3), grid(3), grid(3)], 2..5i32, 1..5i32).prop_map(
+        |(axis, center, ring, thin)| {
+            let radii = [ring, (ring - thin).max(1)].map(|halves| S::near(f64::from(halves) / 2.0));
+            S::torus_along(axis, vector(center), radii).unwrap()
+        },
+    );
+    check_trees(Drawn::drawn(rod, round, slab, cone, ring, grid(3)));
 }
 
 /// Along any direction, anywhere.
@@ -413,7 +576,19 @@ fn trees_of_whatever_lies_askew<S: Tested>() {
     let slab = (direction(), -1.0..0.5f64, 0.2..1.5f64).prop_map(|(normal, low, wide)| {
         S::slab(vector(normal), S::near(low), S::near(low + wide)).unwrap()
     });
-    check_trees(Drawn::drawn(rod, round, slab));
+    let cone = (place(), direction(), 0.1..1.2f64, -0.5..1.2f64, 0.3..2.0f64).prop_map(
+        |(from, way, r, other, long)| {
+            let to = std::array::from_fn(|i| from[i] + way[i] * long);
+            let radii = [r, other.max(0.0)].map(S::near);
+            S::cone_between(vector(from), vector(to), radii).unwrap()
+        },
+    );
+    let ring = (place(), direction(), 0.3..1.4f64, 0.05..0.95f64).prop_map(
+        |(center, axis, ring, part)| {
+            S::torus(vector(center), vector(axis), [ring, ring * part].map(S::near)).unwrap()
+        },
+    );
+    check_trees(Drawn::drawn(rod, round, slab, cone, ring, -1.5f64..1.0));
 }
 
 fn check_trees<S: Tested>(leaves: impl Strategy<Value = Drawn<S>>) {

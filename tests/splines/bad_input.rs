@@ -114,6 +114,22 @@ fn bad_curves() {
     assert_eq!(roomy.insert(0.5), Ok(()));
 }
 
+/// Knots 1.7·10⁻⁵ apart at 1,163 are the same number in `f32`, and the message says how that can be.
+#[test]
+fn knots_that_are_rounded_to_the_same_number() {
+    let knots = [0.0, 1163.0, 1_163.000_017, 1_163.000_034, 1200.0];
+    let error = Knots::<f32, 2, 5>::new(&knots.map(|knot| knot as f32)).unwrap_err();
+    assert_eq!(error, KnotError::Multiplicity);
+    assert!(error.to_string().contains("rounds them to the same number"), "{error}");
+    assert!(Knots::<f64, 2, 5>::new(&knots).is_ok());
+
+    let knots = Knots::<f32, 2, 7>::new(&[0.0, 1163.0, 1163.0, 1200.0, 1201.0]).unwrap();
+    let mut curve = Curve::<f32, 2, 5, 7>::from_slice(knots, &[0.0; 3]).unwrap();
+    let error = curve.insert(1_163.000_017).unwrap_err();
+    assert_eq!(error, KnotError::Multiplicity);
+    assert!(error.to_string().contains("rounds them to the same number"), "{error}");
+}
+
 #[test]
 fn extrapolation_continues_the_polynomial() {
     // x² on [0, 1]: control points 0, 0, 1.

@@ -9,6 +9,7 @@ mod bad_input;
 mod curves;
 mod editing;
 mod number;
+mod polylines;
 mod properties;
 mod reference;
 mod search;

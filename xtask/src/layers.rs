@@ -7,8 +7,10 @@ use std::path::Path;
 
 /// The folders of `src/`, the lowest first. What isn't here (`error.rs`, say) is beside them: all may
 /// import it, and it imports none of them.
-const LAYERS: [&str; 10] =
-    ["numeric", "scalar", "span", "geom", "quadric", "spline", "scan", "solid", "render", "stream"];
+const LAYERS: [&str; 11] = [
+    "numeric", "scalar", "span", "geom", "quadric", "spline", "scan", "solid", "inspect", "render",
+    "stream",
+];
 
 /// A module's path within the crate, and paths of what is in it.
 type Module = Vec<String>;

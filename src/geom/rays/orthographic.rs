@@ -1,6 +1,7 @@
 //! Parallel rays.
 
 use super::{RayRow, Rays};
+use crate::geom::columns::signed;
 use crate::geom::pose::Pose;
 use crate::geom::ray::Line;
 use crate::geom::vec3::Vec3;
@@ -28,6 +29,11 @@ impl<S: Scalar> OrthographicRays<S> {
     /// and down.
     pub(crate) fn steps(&self, from: Vec3<S::Wide>) -> [Vec3<S::Wide>; 3] {
         [self.center - from, self.right * self.half_pixel, self.down * self.half_pixel]
+    }
+
+    /// How many half pixels a picture of so many rows reaches from the middle, to the right and down.
+    pub(super) fn half_pixels(&self, rows: u16) -> S::Wide {
+        S::Wide::from_int(signed(self.columns) + i32::from(rows))
     }
 }
 
@@ -82,8 +88,7 @@ impl<S: Scalar> Rays for OrthographicRays<S> {
 
     fn fits(&self, rows: u16) -> bool {
         // More than from the middle to a corner.
-        let half_pixels = S::Wide::from_int(self.columns as i32 + i32::from(rows));
-        self.half_pixel * half_pixels < S::HIGHEST.wide() * S::Wide::HALF
+        self.half_pixel * self.half_pixels(rows) < S::HIGHEST.wide() * S::Wide::HALF
     }
 
     fn row(&self, y: i32) -> OrthographicRow<S> {

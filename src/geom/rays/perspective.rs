@@ -61,8 +61,8 @@ impl<S: Scalar> Rays for PerspectiveRays<S> {
         // than four times the reach, must be below 2³¹. Floating point has no such range.
         let most = S::Wide::from_int(1 << 29) / S::MAX_COORDINATE.wide();
         let is_near = S::SHORTEST <= S::ZERO || self.plane.half_pixel < most;
-        let half_pixels = S::Wide::from_int(self.plane.columns as i32 + i32::from(rows));
-        let sideways = half_pixels * (self.plane.half_pixel * self.inverse_distance);
+        let sideways =
+            self.plane.half_pixels(rows) * (self.plane.half_pixel * self.inverse_distance);
         self.plane.fits(rows) && is_near && Self::can_hold(sideways)
     }
 

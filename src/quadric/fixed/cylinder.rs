@@ -86,7 +86,7 @@ fn roots<S: FixedPoint, W: Integer>(quadratic: &Quadratic<W>) -> Roots<S> {
 }
 
 /// Whether the line is inside the quadratic and between the planes for some time.
-fn overlap<W: Integer>(quadratic: &Quadratic<W>, caps: &Crossings) -> bool {
+pub(super) fn overlap<W: Integer>(quadratic: &Quadratic<W>, caps: &Crossings) -> bool {
     let [first, last, speed] = caps.fractions();
     if quadratic.is_inside(first, speed) || quadratic.is_inside(last, speed) {
         return true;
@@ -130,15 +130,24 @@ pub(in crate::quadric) fn cylinder<S: FixedPoint>(
         let span = Span { enter: at(S::from_bits(enter)), exit: at(S::from_bits(exit)) };
         return crossings.is_between(caps).then_some(span)?.checked();
     }
-    let between_caps = PlaneRoots::across(crossings.rounded(), crossings.speed > 0);
+    cut(in_wall, &crossings, || of_section!(&section, quadratic => overlap(quadratic, &crossings)))
+}
+
+/// What is between the caps of a line's part inside a wall.
+#[inline]
+pub(super) fn cut<S: FixedPoint>(
+    in_wall: Span<S>,
+    caps: &Crossings,
+    overlap: impl FnOnce() -> bool,
+) -> Option<Span<S>> {
+    let between_caps = PlaneRoots::across(caps.rounded(), caps.speed > 0);
     let (enter, exit) = between_caps.ends()?.common_ends(in_wall);
     let is_beyond = exit.t == S::LOWEST || enter.t == S::HIGHEST;
     if enter.t != exit.t || is_beyond {
         return Span::new(enter, exit);
     }
     // It is in there for so short a time, if at all, that both ends round to the same parameter.
-    let is_inside = of_section!(&section, quadratic => overlap(quadratic, &crossings));
-    is_inside.then_some(Span { enter, exit: Crossing { t: next(exit.t), ..exit } })
+    overlap().then_some(Span { enter, exit: Crossing { t: next(exit.t), ..exit } })
 }
 
 pub(in crate::quadric) fn open_cylinder<S: FixedPoint>(

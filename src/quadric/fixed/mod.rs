@@ -8,14 +8,19 @@
 //! Along a coordinate axis, and for balls, 128 bits hold everything. Solids are within 2²⁸ units.
 //! Rays start there too and have directions up to 2³⁰. Turned into a placed solid's frame they stay
 //! below 2³⁰ with |d|² ≤ 2⁶², which is checked. So a ≤ 2⁶², |b| and |c| < 2⁶³, and with parameters of
-//! 32 bits and a half `a t²` is at most 2¹²⁶. An oblique axis has 28 bits more and needs 256 bits.
+//! 32 bits and a half `a t²` is at most 2¹²⁶. An oblique axis has 28 bits more and needs 256 bits. So does a
+//! cone, whose own file has the bounds.
 
 mod ball;
+mod cone;
 mod cylinder;
 mod lines;
 mod planes;
 mod quadratic;
+mod torus;
 
 pub(super) use ball::ball;
+pub(super) use cone::{cone, conic};
 pub(super) use cylinder::{cylinder, open_cylinder};
-pub(super) use planes::planes;
+pub(super) use planes::{cuboid, half_spaces, planes};
+pub(super) use torus::{ready_torus, torus};

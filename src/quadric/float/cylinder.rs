@@ -119,7 +119,7 @@ fn between_caps<S: Float>(
 
 /// What is both inside the wall and between the planes of the caps.
 #[inline(always)]
-fn common<S: Float>(
+pub(super) fn common<S: Float>(
     (enter, exit): (S, S),
     (near, far): (S, S),
     [near_face, far_face]: [Face; 2],

@@ -12,14 +12,18 @@
 
 mod aligned;
 mod ball;
+mod cone;
 mod cylinder;
 mod doubles;
 mod oblique;
 mod planes;
 mod sums;
+mod torus;
 #[cfg(test)]
 mod units;
 
 pub(super) use ball::ball;
+pub(super) use cone::{cone, conic};
 pub(super) use cylinder::{cylinder, open_cylinder};
-pub(super) use planes::planes;
+pub(super) use planes::{cuboid, half_spaces, planes};
+pub(super) use torus::{ready_torus, torus};

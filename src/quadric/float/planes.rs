@@ -1,23 +1,69 @@
-//! Where a line crosses two parallel planes.
+//! Where a line crosses planes: two parallel ones, those of a box, and those of half-spaces.
 
-use crate::geom::Line;
-use crate::quadric::{PlaneRoots, Planes};
+use crate::geom::{Axis, Direction, Line};
+use crate::quadric::{Corners, HalfSpace, PlaneRoots, Planes};
 use crate::scalar::{Double, Float};
+use crate::span::{Crossing, Face, Span};
 
-/// Along a coordinate axis the line's height is exact. Along others the height is subtracted before it
-/// is rounded.
+/// How far planes are above a line at t = 0, and how fast the line rises.
+///
+/// Along a coordinate axis the line's height is exact. Along others it is subtracted before it is rounded.
 #[inline]
-pub(in crate::quadric) fn planes<S: Float>(planes: &Planes<S>, line: &Line<S>) -> PlaneRoots<S> {
-    let normal = &planes.normal;
-    let speed = normal.dot(line.direction);
-    match normal.along() {
-        Some(_) => planes.crossed(normal.dot(line.origin), speed),
+fn heights<S: Float, const N: usize>(
+    normal: &Direction<S>,
+    offsets: [S; N],
+    line: &Line<S>,
+) -> ([S; N], S) {
+    let heights = match normal.along() {
+        Some(_) => {
+            let at_zero = normal.dot(line.origin);
+            offsets.map(|offset| offset - at_zero)
+        }
         None => {
             let (origin, normal) = (line.origin.to_array(), normal.vector().to_array());
-            let above = |offset| Double::less_dot(offset, origin, normal);
-            planes.crossed_above([planes.low, planes.high].map(above), speed)
+            offsets.map(|offset| Double::less_dot(offset, origin, normal))
         }
+    };
+    (heights, normal.dot(line.direction))
+}
+
+#[inline]
+pub(in crate::quadric) fn planes<S: Float>(planes: &Planes<S>, line: &Line<S>) -> PlaneRoots<S> {
+    let (heights, speed) = heights(&planes.normal, [planes.low, planes.high], line);
+    planes.crossed_above(heights, speed)
+}
+
+/// The part of a line inside a box.
+#[inline]
+pub(in crate::quadric) fn cuboid<S: Float>(cuboid: &Corners<S>, line: &Line<S>) -> Option<Span<S>> {
+    let mut common = Span::whole_line(Face(0));
+    for axis in Axis::ALL {
+        let between = planes(&cuboid.planes(axis), line).ends()?;
+        let (enter, exit) =
+            common.common_ends(between.with_faces_from(Corners::<S>::first_face(axis)));
+        common = Span { enter, exit };
     }
+    common.checked()
+}
+
+/// The part of a line inside all half-spaces.
+pub(in crate::quadric) fn half_spaces<S: Float>(
+    faces: &[HalfSpace<S>],
+    line: &Line<S>,
+) -> Option<Span<S>> {
+    let mut common = Span::whole_line(Face(0));
+    for (face, index) in faces.iter().zip(0..) {
+        let ([height], speed) = heights(&face.normal, [face.offset], line);
+        if speed == S::ZERO {
+            if !face.has_below(height, S::ZERO) {
+                return None;
+            }
+            continue;
+        }
+        let crossing = Crossing { t: height / speed, face: Face(index) };
+        common.cut(crossing, speed > S::ZERO);
+    }
+    common.checked()
 }
 
 #[cfg(test)]

@@ -43,6 +43,18 @@ impl<F: Fraction> ConstOps<FixedI32<F>> {
         ))
     }
 
+    /// [`Number::to_f64`](crate::scalar::Number::to_f64).
+    pub(crate) const fn to_f64(x: FixedI32<F>) -> f64 {
+        x.to_bits() as f64 / (1u64 << F::BITS) as f64
+    }
+
+    /// [`Number::from_f64`](crate::scalar::Number::from_f64).
+    pub(crate) const fn from_f64(x: f64) -> FixedI32<F> {
+        let bits = x * (1u64 << F::BITS) as f64;
+        // Halves away from zero; the cast stays inside the range.
+        FixedI32::from_bits((if bits < 0.0 { bits - 0.5 } else { bits + 0.5 }) as i32)
+    }
+
     /// [`Scalar::normalized`].
     pub(crate) const fn normalized([x, y, z]: [FixedI32<F>; 3]) -> Option<[Unit; 3]> {
         unit([x.to_bits() as i64, y.to_bits() as i64, z.to_bits() as i64])

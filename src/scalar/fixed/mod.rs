@@ -13,9 +13,10 @@ pub use scale::Scale;
 pub use wide::Wide;
 
 use super::const_ops::ConstOps;
+use super::grid::Grid;
 use super::number::{Number, sealed::Sealed};
 use super::rebase::Rebased;
-use super::scalar::{FixedPoint, Formula, Roots, Scalar, Stretch};
+use super::scalar::{FixedPoint, Formula, Inverse, Matrix, Roots, Scalar, Stretch};
 use crate::numeric::integer::{
     divide, leading_zeros, narrow, normalized, reciprocal, rounded_to_i32, shift_right, sqrt,
 };
@@ -47,6 +48,14 @@ impl<F: Fraction> Number for FixedI32<F> {
 
     fn from_int(integer: i32) -> Self {
         Self::from_bits(narrow(i64::from(integer) << F::BITS))
+    }
+
+    fn from_f64(number: f64) -> Self {
+        ConstOps::<Self>::from_f64(number)
+    }
+
+    fn to_f64(self) -> f64 {
+        ConstOps::<Self>::to_f64(self)
     }
 
     #[inline]
@@ -139,6 +148,7 @@ impl<F: Fraction> Scalar for FixedI32<F> {
     const LONGEST: Self = Self::from_bits(1 << 30);
     const ROUNDING: Self = Self::from_bits(2);
     const NO_SCALE: Scale = Scale::NONE;
+    const GRID: Grid = Grid::Fixed(F::BITS);
 
     fn from_ratio(numerator: i32, denominator: i32) -> Self {
         let bits = divide(i128::from(numerator) << F::BITS, denominator.into());
@@ -155,6 +165,10 @@ impl<F: Fraction> Scalar for FixedI32<F> {
 
     fn stretch(from: [Self; 3], to: [Self; 3]) -> Option<Stretch<Self>> {
         ConstOps::<Self>::stretch(from, to)
+    }
+
+    fn inverted(matrix: Matrix<Wide>) -> Option<Inverse<Wide>> {
+        ConstOps::<Self>::inverted(matrix)
     }
 
     #[inline]

@@ -40,6 +40,15 @@ impl Number for Wide {
         Self((integer as i64) << Self::FRACTION_BITS)
     }
 
+    fn from_f64(number: f64) -> Self {
+        let bits = number * (1u64 << Self::FRACTION_BITS) as f64;
+        Self((if bits < 0.0 { bits - 0.5 } else { bits + 0.5 }) as i64)
+    }
+
+    fn to_f64(self) -> f64 {
+        self.0 as f64 / (1u64 << Self::FRACTION_BITS) as f64
+    }
+
     // In set-up, which is seldom, one copy of what is long on small cores is enough.
     #[inline(never)]
     fn plus(self, other: Self) -> Self {

@@ -8,6 +8,6 @@ mod quadratic;
 mod strip;
 
 pub(crate) use ball::PerspectiveBall;
-pub use outline::{Anywhere, Bounds, Outline, Silhouette};
+pub use outline::{Anywhere, Bounds, Outline, Rectangle, Silhouette};
 pub(crate) use quadratic::{constant, extent};
 pub(crate) use strip::{Rows, Steps};

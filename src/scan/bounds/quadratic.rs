@@ -1,7 +1,7 @@
 //! The columns in which rays from an eye can meet a solid, from where a quadratic in X is not
 //! negative.
 
-use crate::geom::{Affine, Extent};
+use crate::geom::{Affine, Extent, signed};
 use crate::scalar::Real;
 
 /// The columns of a row in which `Σ plus² ≥ Σ minus²` may hold, for lengths that are affine in X.
@@ -14,7 +14,7 @@ use crate::scalar::Real;
 #[inline(never)] // once a row is seldom, and the code is long
 pub(crate) fn extent<T: Real>(plus: &[Affine<T>], minus: &[Affine<T>], columns: u32) -> Extent {
     let all = Extent::all(columns);
-    let reach = T::from_int(columns as i32);
+    let reach = T::from_int(signed(columns));
     let lengths = || plus.iter().chain(minus);
     let largest = lengths()
         .map(|length| length.middle.abs() + length.step.abs() * reach)

@@ -4,7 +4,7 @@
 //! Seen along parallel rays, a bounded solid lies in a strip of the picture for each of its
 //! measures, and a row cuts a piece out of each strip.
 
-use crate::geom::{Affine, Extent};
+use crate::geom::{Affine, Extent, signed};
 use crate::scalar::{Number, Real, Scalar};
 use crate::scan::Empty;
 
@@ -48,6 +48,14 @@ impl Steps {
         Self { first: first.saturating_sub(MARGIN), last: last.saturating_add(MARGIN) }
     }
 
+    /// Where `length ≤ 0` may hold; `size` as for [`between`](Self::between).
+    pub(crate) fn below<S: Scalar>(length: Affine<S::Wide>, size: S::Wide) -> Self {
+        // The length at −count steps or at +count steps is the lowest there is: beyond it nothing is.
+        let most = S::Wide::from_int(i32::from(i16::MAX));
+        let lowest = -(length.middle.abs() + (length.step * most).abs() + size);
+        Self::between::<S>(length, lowest, S::Wide::ZERO, size)
+    }
+
     /// Where `|length| ≤ reach` may hold.
     #[inline]
     pub(crate) fn within<S: Scalar>(length: Affine<S::Wide>, reach: S::Wide) -> Self {
@@ -64,7 +72,7 @@ impl Steps {
     #[inline]
     pub(crate) fn columns(self, columns: u32) -> Extent {
         // The centre of column c is at 2c + 1 − columns.
-        let count = columns as i32;
+        let count = signed(columns);
         let start = (self.first.clamp(-count, count) + count) >> 1;
         let end = (self.last.clamp(-count - 1, count - 1) + count + 1) >> 1;
         if start < end { Extent { start: start as u32, end: end as u32 } } else { Extent::EMPTY }
@@ -73,7 +81,7 @@ impl Steps {
     /// Whether none of so many columns is among them.
     #[inline]
     pub(crate) fn are_beside(self, columns: u32) -> bool {
-        let count = columns as i32;
+        let count = signed(columns);
         self.first.max(-count) > self.last.min(count)
     }
 }

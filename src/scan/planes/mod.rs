@@ -1,8 +1,8 @@
-//! Two parallel planes in pictures: a slab, or the caps of a cylinder.
+//! Planes in pictures: a slab, the caps of a cylinder, the faces of a polyhedron.
 
 mod orthographic;
 mod perspective;
 
 pub(crate) use orthographic::{EdgeOn, Ends, faces};
-pub use orthographic::{OrthographicRow, OrthographicView};
+pub use orthographic::{OrthographicFace, OrthographicRow, OrthographicView};
 pub use perspective::{PerspectiveRow, PerspectiveView};

@@ -1,14 +1,29 @@
-//! Two planes, seen from an eye: height and speed are affine in the column, their quotient is not.
+//! Planes, seen from an eye: height and speed are affine in the column, their quotient is not.
 
 use crate::geom::{Affine, Direction, PerspectiveRays, Vec3};
-use crate::quadric::{PlaneRoots, Planes};
+use crate::quadric::{HalfSpace, PlaneRoots, Planes};
 use crate::scalar::{Number, Scalar};
+use crate::span::{Face, Span};
 
 impl<S: Scalar> Planes<S> {
     /// Where a ray crosses the planes.
     #[inline]
     pub(crate) fn perspective_roots(&self, row: &PerspectiveRow<S>, x: i32) -> PlaneRoots<S> {
         self.crossed(row.height.at(x), row.speed.at(x))
+    }
+}
+
+impl<S: Scalar> HalfSpace<S> {
+    /// Cuts off the part of a ray that is outside; `false` if all of it is.
+    #[inline]
+    pub(crate) fn cut_perspective(
+        &self,
+        row: &PerspectiveRow<S>,
+        x: i32,
+        face: Face,
+        span: &mut Span<S>,
+    ) -> bool {
+        self.cut(row.height.at(x), row.speed.at(x), face, span)
     }
 }
 

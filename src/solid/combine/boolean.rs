@@ -79,6 +79,18 @@ impl<O, L, R> Boolean<O, L, R> {
     pub const fn new(left: L, right: R) -> Self {
         Self { left, right, rule: PhantomData }
     }
+
+    /// The first operand.
+    #[must_use]
+    pub const fn left(&self) -> &L {
+        &self.left
+    }
+
+    /// The second operand.
+    #[must_use]
+    pub const fn right(&self) -> &R {
+        &self.right
+    }
 }
 
 const fn larger(a: usize, b: usize) -> usize {

@@ -57,7 +57,8 @@ macro_rules! constructors {
             /// which see [above](Self#how-near-it-is-to-the-tube).
             ///
             /// Everything within two radii of the curve must be within [`Scalar::MAX_COORDINATE`]. In fixed
-            /// point, points are rounded to units, so the tolerance should be many of them.
+            /// point, points are rounded to units, so the tolerance should be many of them. The polyline is
+            /// followed for as long as there is room, and the radius is checked first.
             ///
             /// # Errors
             /// [`PipeError::Capacity`] if there is no room for so many segments,
@@ -70,11 +71,13 @@ macro_rules! constructors {
             ) -> Result<Self, PipeError> {
                 let mut vertices = curve.flatten(tolerance).map_err(|_| PipeError::Tolerance)?;
                 let first = vertices.next().ok_or(PipeError::Empty)?;
-                let mut pipe = Laying::<$Scalar, SEGMENTS>::new(first.point, radius);
-                for vertex in vertices {
+                let mut pipe = Laying::<$Scalar, SEGMENTS>::new(first.point, radius)?;
+                // A vertex may be equal to the one before it at each jump, and between two others.
+                for _ in 0..=SEGMENTS.saturating_mul(2).saturating_add(N) {
+                    let Some(vertex) = vertices.next() else { return pipe.finish() };
                     pipe.lay(vertex.point)?;
                 }
-                pipe.finish()
+                Err(PipeError::Capacity)
             }
 
             /// A pipe along a polyline. Points that are equal to the one before them count once.
@@ -86,7 +89,10 @@ macro_rules! constructors {
                 radius: $Scalar,
             ) -> Result<Self, PipeError> {
                 let [first, rest @ ..] = points else { return Err(PipeError::Empty) };
-                let mut pipe = Laying::<$Scalar, SEGMENTS>::new(*first, radius);
+                let mut pipe = match Laying::<$Scalar, SEGMENTS>::new(*first, radius) {
+                    Ok(pipe) => pipe,
+                    Err(error) => return Err(error),
+                };
                 let mut rest = rest;
                 while let [point, others @ ..] = rest {
                     if let Err(error) = pipe.lay(*point) {
@@ -99,8 +105,11 @@ macro_rules! constructors {
         }
 
         impl<$($generics)* const SEGMENTS: usize> Laying<$Scalar, SEGMENTS> {
-            const fn new(from: Vec3<$Scalar>, radius: $Scalar) -> Self {
-                Self { radius, from, to: from, laid: None }
+            const fn new(from: Vec3<$Scalar>, radius: $Scalar) -> Result<Self, PipeError> {
+                match Sphere::<$Scalar>::new(from, radius) {
+                    Ok(_) => Ok(Self { radius, from, to: from, laid: None }),
+                    Err(error) => Err(of_ball(error)),
+                }
             }
 
             /// Adds a segment up to a point.

@@ -36,9 +36,9 @@ type Parts<S, const SEGMENTS: usize> = Union<Many<Cylinder<S>, SEGMENTS>, Many<J
 ///     vec3(2.0, 2.0, 0.0), vec3(0.0, 2.0, 0.0), vec3(0.0, 2.0, 2.0),
 /// ]));
 ///
-/// let outside = Pipe::<f32, 24>::along(&PATH, 0.4, 0.02)?;
-/// let bore = Pipe::<f32, 24>::along(&PATH, 0.3, 0.02)?;
-/// assert_eq!(outside.segments(), 22);
+/// let outside = Pipe::<f32, 16>::along(&PATH, 0.4, 0.02)?;
+/// let bore = Pipe::<f32, 16>::along(&PATH, 0.3, 0.02)?;
+/// assert_eq!(outside.segments(), 13);
 /// let hollow = outside - bore;
 /// # let _ = hollow;
 /// # Ok::<(), Box<dyn std::error::Error>>(())

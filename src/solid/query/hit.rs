@@ -1,6 +1,6 @@
 //! What a ray sees: the first crossing, the point there, and the normal.
 
-use crate::geom::{Line, Vec3};
+use crate::geom::{Line, Ray, RayError, Vec3};
 use crate::scalar::Scalar;
 use crate::span::{Face, Span};
 
@@ -18,6 +18,38 @@ pub struct Hit<S> {
     pub normal: Vec3<S>,
     /// Whether the ray starts inside the solid, and sees the face from within.
     pub inside: bool,
+}
+
+impl<S: Scalar> Hit<S> {
+    /// A ray from the point along `direction` that doesn't meet the same face again at once: for shadows,
+    /// reflections, and rays that go on through the face.
+    ///
+    /// Its start is moved off the face, to the side that `direction` points to: by 8 ε of `size`, or by 4 units
+    /// in fixed point. That is an upper bound of the point's rounding error where no coordinate of the solid
+    /// and no radius of its faces is larger than `size`.
+    ///
+    /// ```
+    /// use scancsg::geom::{Ray, vec3};
+    /// use scancsg::solid::{RayCast, Sphere};
+    /// use scancsg::span::SpanList;
+    ///
+    /// let ball = Sphere::<f32>::new(vec3(0.0, 0.0, 0.0), 0.015)?;
+    /// let mut list = SpanList::<_, 1>::new();
+    /// let ray = Ray::new(vec3(0.3, 0.2, 5.0), vec3(-0.3, -0.199, -5.0))?;
+    /// let hit = ball.hit(&ray, &mut list).ok_or("a miss")?;
+    /// let shadow = hit.leave(vec3(0.0, 1.0, 1.0), 0.015)?;
+    /// assert!(ball.hit(&shadow, &mut list).is_none());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Ray::new`].
+    pub fn leave(&self, direction: Vec3<S>, size: S) -> Result<Ray<S>, RayError> {
+        let size = size.max(self.point.max_abs());
+        let by = S::from_wide(S::uncertainty(size.wide()));
+        let by = if self.normal.dot(direction) < S::ZERO { by.negated() } else { by };
+        Ray::new(self.point + self.normal * by, direction)
+    }
 }
 
 /// The first surface that is seen from parameter `start` on.
@@ -63,20 +95,38 @@ pub(crate) fn seen_at<S: Scalar>(
         let [point, outward] = at(line.at(t));
         [point, if inside { -outward } else { outward }]
     };
+    // By more than an eighth: the sign alone would also tell of a tangent whose normal was rounded.
+    let is_away = |normal: Vec3<S>| {
+        let along = (0..3).fold(normal.dot(line.direction), |along, _| along.plus(along));
+        along > line.direction.max_abs()
+    };
+    let is_fine = |normal: Vec3<S>| {
+        let length = S::length(normal.to_array());
+        length.minus(S::ONE).abs() < S::from_ratio(1, 16) && !is_away(normal)
+    };
+    let first @ [_, normal] = seen(t);
+    if is_fine(normal) {
+        return first;
+    }
     // Or about zero: near an oblique axis, what is left of the way from there is rounding errors.
     let is_some = |normal: Vec3<S>| {
         let length = S::length(normal.to_array());
         length.plus(length) > S::ONE
     };
-    let first @ [_, normal] = seen(t);
-    // By more than an eighth: the sign alone would also tell of a tangent whose normal was rounded.
-    let along = (0..3).fold(normal.dot(line.direction), |along, _| along.plus(along));
-    if is_some(normal) && along <= line.direction.max_abs() {
-        return first;
+    let [point, normal] = if is_some(normal) && !is_away(normal) {
+        first
+    } else {
+        seen(if inside { t.negated().next_below().negated() } else { t.next_below() })
+    };
+    // Of a few units, a solid has no normals of its own: the nearest one that doesn't point away.
+    let of_length_1 = |v: Vec3<S>| Vec3::from(S::with_length(v.to_array(), S::ONE));
+    let towards_start = of_length_1(-line.direction);
+    let unit = of_length_1(normal);
+    let across = unit - towards_start * unit.dot(towards_start);
+    match () {
+        () if is_fine(normal) => [point, normal],
+        () if !is_away(unit) && unit != Vec3::ZERO => [point, unit],
+        () if is_some(across) => [point, of_length_1(across)],
+        () => [point, towards_start],
     }
-    let farther_out = if inside { t.negated().next_below().negated() } else { t.next_below() };
-    let [point, normal] = seen(farther_out);
-    // Smaller than its coordinates' units, a solid has no normals of its own.
-    let towards_start = || Vec3::from(S::with_length((-line.direction).to_array(), S::ONE));
-    [point, if is_some(normal) { normal } else { towards_start() }]
 }

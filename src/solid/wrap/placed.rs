@@ -21,6 +21,15 @@ use crate::span::Shape;
 /// let pose = Pose::<f32>::translation(vec3(3.0, 0.0, 0.0))?;
 /// let both = Placed::new(&ball, pose) | ball;
 /// # let _ = both;
+///
+/// // A joint turns a little further in every frame.
+/// let mut hand = Placed::new(&ball, pose);
+/// let step = Pose::<f32>::about(vec3(0.0, 1.0, 2.0), 0.01)?;
+/// let mut joint = pose;
+/// for _frame in 0..100 {
+///     joint = joint.then(&step)?;
+///     hand.set_pose(joint);
+/// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,6 +43,11 @@ impl<T: Shape> Placed<T> {
     #[must_use]
     pub const fn new(solid: T, pose: Pose<T::Scalar>) -> Self {
         Self { solid, pose }
+    }
+
+    /// Puts the solid to another pose: for joints that move from frame to frame.
+    pub const fn set_pose(&mut self, pose: Pose<T::Scalar>) {
+        self.pose = pose;
     }
 }
 

@@ -1,6 +1,8 @@
 //! Solids that are another solid inside, written once.
 
+use super::nearby::{anchor, shifted};
 use crate::geom::{Line, Pose, Rays, Vec3};
+use crate::scalar::Number;
 use crate::scan::bounds::Bounds;
 use crate::scan::{ColumnRun, Scan};
 use crate::solid::{Rgb, Solid};
@@ -79,7 +81,14 @@ impl<W: Wrap<Inner: Solid>> Solid for W {
         stack: &mut SpanStack<'_, Self::Scalar>,
     ) {
         match self.pose() {
-            Some(pose) => self.inner().spans(&pose.line_back(line), first, stack),
+            Some(pose) => {
+                let (line, from) = pose.line_back_near(line, || anchor(&self.inner().bounds()));
+                let start = stack.len();
+                self.inner().spans(&line, first, stack);
+                if from != Self::Scalar::ZERO {
+                    stack.recount(start, |t| shifted(t, from));
+                }
+            }
             None => self.inner().spans(line, first, stack),
         }
     }

@@ -117,14 +117,14 @@ macro_rules! constructors {
                 let (mut knots, mut points) = ([0.0; N], [[0.0; $D]; C]);
                 let mut i = 0;
                 while i < N {
-                    knots[i] = ConstOps::<$Scalar>::wide(self.knots.knots[i]);
+                    knots[i] = ConstOps::<$Scalar>::units(self.knots.knots[i]);
                     i += 1;
                 }
                 let rows = Self::rows(&self.points);
                 let mut i = 0;
                 while i < C * $D {
                     let x = rows.as_flattened()[i];
-                    points.as_flattened_mut()[i] = ConstOps::<$Scalar>::wide(x);
+                    points.as_flattened_mut()[i] = ConstOps::<$Scalar>::units(x);
                     i += 1;
                 }
                 let first = ConstOps::<$Scalar>::piece(&knots, &points, places[0]);

@@ -7,14 +7,13 @@ use crate::spline::scalar::Arithmetic;
 /// The highest order whose blends are few enough for quick ratios.
 const QUICK: usize = 4;
 
-/// Levels 1 to `levels` of a triangle over the control points of a span: a step changes a point with its
+/// Levels 1 to K − 1 of a triangle over the control points of a span: a step changes a point with its
 /// right neighbour, given the level and the ends of their knot interval.
 #[inline(always)]
-pub(super) fn triangle<P: Point, const K: usize>(
+fn triangle<P: Point, const K: usize>(
     knots: &[P::Scalar],
     points: &[P],
     span: usize,
-    levels: usize,
     step: impl Fn(usize, &mut Inner<P>, Inner<P>, [P::Scalar; 2]) -> Option<()>,
 ) -> Option<[Inner<P>; K]> {
     let first = (span + 1).checked_sub(K)?;
@@ -22,9 +21,9 @@ pub(super) fn triangle<P: Point, const K: usize>(
     let low: &[P::Scalar; K] = knots.get(first..)?.first_chunk()?;
     let high: &[P::Scalar; K] = knots.get(span + 1..)?.first_chunk()?;
     let mut row = points.map(inner);
-    for level in 1..=levels {
+    for level in 1..K {
         // Loops over an index get unrolled, which chains of iterators don't.
-        for i in 0..K.saturating_sub(level) {
+        for i in 0..K - level {
             let (Some(&low), Some(&high)) = (low.get(i + level), high.get(i)) else { break };
             let Some(&b) = row.get(i + 1) else { break };
             step(level, row.get_mut(i)?, b, [low, high])?;
@@ -41,9 +40,21 @@ pub(super) fn on_span<P: Point, const K: usize>(
     span: usize,
     t: P::Scalar,
 ) -> Option<Inner<P>> {
-    let row = triangle::<P, K>(knots, points, span, K - 1, |_, a, b, [low, high]| {
+    polar::<P, K>(knots, points, span, |_| t)
+}
+
+/// The polar form of a span's polynomial: the triangle with a parameter for each of its levels, 1 to
+/// K − 1. (L. Ramshaw, *Blossoms are polar forms*, Computer Aided Geometric Design 6, 1989.)
+#[inline]
+pub(super) fn polar<P: Point, const K: usize>(
+    knots: &[P::Scalar],
+    points: &[P],
+    span: usize,
+    at: impl Fn(usize) -> P::Scalar,
+) -> Option<Inner<P>> {
+    let row = triangle::<P, K>(knots, points, span, |level, a, b, [low, high]| {
         let ratio = if K > QUICK { P::Scalar::fine_ratio } else { P::Scalar::ratio };
-        let ratio = ratio(t, low, high);
+        let ratio = ratio(at(level), low, high);
         combine::<P>(a, b, |a, b| P::Scalar::blend(a, b, ratio));
         Some(())
     });
@@ -62,7 +73,7 @@ pub(super) fn derivative<P: Point, const K: usize>(
     if order >= K {
         return Ok(P::ORIGIN);
     }
-    let row = triangle::<P, K>(knots, points, span, K - 1, |level, a, b, [low, high]| {
+    let row = triangle::<P, K>(knots, points, span, |level, a, b, [low, high]| {
         if level <= order {
             let degree = (K - level) as u16;
             combine::<P>(a, b, |a, b| P::Scalar::slope(a, b, degree, low, high));

@@ -50,7 +50,7 @@ macro_rules! floats {
             }
 
             /// The same number, or of fixed point its units.
-            pub(in crate::spline) const fn wide(x: $Float) -> f64 {
+            pub(in crate::spline) const fn units(x: $Float) -> f64 {
                 x as f64
             }
 
@@ -94,7 +94,7 @@ impl<F: Fraction> ConstOps<FixedI32<F>> {
         if bits as i32 as i128 == bits { Some(FixedI32::from_bits(bits as i32)) } else { None }
     }
 
-    pub(in crate::spline) const fn wide(x: FixedI32<F>) -> f64 {
+    pub(in crate::spline) const fn units(x: FixedI32<F>) -> f64 {
         x.to_bits() as f64
     }
 

@@ -79,6 +79,12 @@ fn exactly<F: Fraction>(bits: i64) -> Option<FixedI32<F>> {
     i32::try_from(bits).ok().map(FixedI32::from_bits)
 }
 
+/// Held inside of a range whose ends have the same size.
+fn held(x: i128) -> i64 {
+    let most = i128::from(i64::MAX);
+    x.clamp(-most, most) as i64
+}
+
 impl<F: Fraction> Arithmetic for FixedI32<F> {
     type Inner = i64;
     type Weight = i64;
@@ -132,7 +138,7 @@ impl<F: Fraction> Arithmetic for FixedI32<F> {
     }
 
     fn split(x: i64, t: Self, [low, high]: [Self; 2]) -> [i64; 2] {
-        [[low, t], [t, high]].map(|part| Self::share(x, part, [low, high]))
+        [width(low, t), width(t, high)].map(|part| Mixed::new(part, width(low, high)).of(x))
     }
 
     fn climb(x: i64, degree: u16, [low, high]: [Self; 2]) -> i64 {
@@ -156,13 +162,17 @@ impl<F: Fraction> Arithmetic for FixedI32<F> {
             return 0;
         }
         let rise = (i128::from(b) - i128::from(a)) * i128::from(degree);
-        // Held inside of a range whose ends have the same size.
-        let most = i128::from(i64::MAX);
-        divide(rise << F::BITS, i128::from(width)).clamp(-most, most) as i64
+        held(divide(rise << F::BITS, i128::from(width)))
     }
 
-    fn share(x: i64, [from, to]: [Self; 2], [low, high]: [Self; 2]) -> i64 {
-        Mixed::new(width(from, to), width(low, high)).of(x)
+    fn share(x: i64, part: i64, whole: i64) -> i64 {
+        let product = i128::from(x) * i128::from(part);
+        held(product.checked_div(whole.into()).unwrap_or(0))
+    }
+
+    fn project(vector: &[i64], along: &[i64], length: i64) -> i64 {
+        let products = vector.iter().zip(along).map(|(&x, &y)| i128::from(x) * i128::from(y));
+        held(products.fold(0, i128::saturating_add).checked_div(length.into()).unwrap_or(0))
     }
 
     fn wrap(t: Self, from: Self, to: Self) -> Self {
@@ -180,14 +190,6 @@ impl<F: Fraction> Arithmetic for FixedI32<F> {
             sum.saturating_add(x * x)
         });
         i64::try_from(sum.isqrt()).unwrap_or(i64::MAX)
-    }
-
-    fn segments(norm: i64, factor: u16, tolerance: Self) -> u32 {
-        let numerator = u128::from(norm.unsigned_abs()) * u128::from(factor);
-        let denominator = u128::from(tolerance.to_bits().unsigned_abs()) << (3 + GUARD);
-        let Some(square) = numerator.checked_div(denominator) else { return 1 };
-        // ⌈√x⌉ ≤ ⌊√⌊x⌋⌋ + 1.
-        u32::try_from(square.isqrt() + 1).unwrap_or(u32::MAX)
     }
 
     #[inline]

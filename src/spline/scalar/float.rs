@@ -164,8 +164,16 @@ impl<S: Float + Ordered> Arithmetic for S {
     }
 
     #[inline]
-    fn share(x: Self, [low, high]: [Self; 2], outside: [Self; 2]) -> Self {
-        x * ((high - low) / (outside[1] - outside[0]))
+    fn share(x: Self, part: Self, whole: Self) -> Self {
+        if whole > S::ZERO { x * (part / whole) } else { S::ZERO }
+    }
+
+    fn project(vector: &[Self], along: &[Self], length: Self) -> Self {
+        if length <= S::ZERO {
+            return S::ZERO;
+        }
+        // The quotient first: products of lengths may be too small to be numbers.
+        vector.iter().zip(along).fold(S::ZERO, |sum, (x, along)| sum + *x * (*along / length))
     }
 
     fn wrap(t: Self, from: Self, to: Self) -> Self {
@@ -192,14 +200,6 @@ impl<S: Float + Ordered> Arithmetic for S {
             sum + x * x
         });
         sum.sqrt() / scale
-    }
-
-    fn segments(norm: Self, factor: u16, tolerance: Self) -> u32 {
-        let exact = (norm / tolerance * (Self::from_int(factor.into()) / Self::from_int(8))).sqrt();
-        // Large quotients stay at the largest integer.
-        let integer = exact.floor_to_i32();
-        let more = i32::from(exact > Self::from_int(integer));
-        integer.saturating_add(more).max(1).cast_unsigned()
     }
 
     #[inline]

@@ -84,8 +84,11 @@ pub trait Arithmetic: Scalar + Ordered {
     /// `(b − a)·degree/(high − low)`; 0 for knots that coincide.
     fn slope(a: Self::Inner, b: Self::Inner, degree: u16, low: Self, high: Self) -> Self::Inner;
 
-    /// `x·(to − from)/(high − low)`: an interval inside of another one.
-    fn share(x: Self::Inner, inside: [Self; 2], outside: [Self; 2]) -> Self::Inner;
+    /// `x·part/whole`, for 0 ≤ part ≤ whole; 0 for a whole of 0.
+    fn share(x: Self::Inner, part: Self::Inner, whole: Self::Inner) -> Self::Inner;
+
+    /// How far a vector reaches along another one of this length; 0 for a length of 0.
+    fn project(vector: &[Self::Inner], along: &[Self::Inner], length: Self::Inner) -> Self::Inner;
 
     /// The parameter in `from..to` that differs from t by a multiple of `to − from`.
     fn wrap(t: Self, from: Self, to: Self) -> Self;
@@ -95,9 +98,6 @@ pub trait Arithmetic: Scalar + Ordered {
 
     /// The length of a vector.
     fn norm(coordinates: &[Self::Inner]) -> Self::Inner;
-
-    /// `√(norm·factor/(8·tolerance))`, rounded upwards, at least 1.
-    fn segments(norm: Self::Inner, factor: u16, tolerance: Self) -> u32;
 
     fn pieces<T: Copy + Debug + PartialEq, const SPANS: usize>(
         pieces: &Self::Pieces<T, SPANS>,

@@ -8,7 +8,7 @@ mod tests;
 
 pub use open::{CylinderWall, WallHit};
 
-use crate::geom::{Axis, Direction, Line, Vec3};
+use crate::geom::{Axis, AxisLine, Direction, Line, Vec3};
 use crate::quadric::{Planes, WALL, Wall, meet};
 use crate::scalar::{ConstOps, Real, Scalar, Stretch, per_scalar};
 use crate::scan::bounds::Bounds;
@@ -131,6 +131,21 @@ per_scalar! { $S: impl[] Cylinder<$S> {
         }
     }
 
+    /// A cylinder on an axis that it may share with other solids, from one position along it to another:
+    /// see [`AxisLine`].
+    ///
+    /// # Errors
+    /// As [`along_x`](Self::along_x).
+    pub const fn on(
+        axis: &AxisLine<$S>,
+        radius: $S,
+        from: $S,
+        to: $S,
+    ) -> Result<Self, CylinderError> {
+        let [low, high] = [axis.plane_at(from), axis.plane_at(to)];
+        Self::around(axis.first(), axis.direction(), radius, low, high)
+    }
+
     const fn around(
         base: Vec3<$S>,
         axis: Direction<$S>,
@@ -212,6 +227,15 @@ impl<S: Scalar> Cylinder<S> {
         }
         let (axis, [low, high]) = Direction::between(from, to).ok_or(CylinderError::Empty)?;
         Self::checked(from, axis, radius, low, high)
+    }
+
+    /// A cylinder on an axis that it may share with other solids, from one position along it to another.
+    ///
+    /// # Errors
+    /// As [`on`](Self::on).
+    pub fn on_axis(axis: &AxisLine<S>, radius: S, from: S, to: S) -> Result<Self, CylinderError> {
+        let [low, high] = [from, to].map(|position| axis.offset(position));
+        Self::checked(axis.first(), axis.direction(), radius, low, high)
     }
 
     fn checked(
@@ -305,7 +329,7 @@ fn wall_span<S: Scalar>(enter: S, exit: S) -> Option<Span<S>> {
 /// Sets a span to what the wall's and the caps' have in common. Where both begin or end together, the
 /// face is the cap's.
 #[inline(always)]
-fn set_common<S: Scalar>(
+pub(super) fn set_common<S: Scalar>(
     span: &mut Span<S>,
     [enter, exit]: [S; 2],
     [near, far]: [S; 2],
@@ -340,7 +364,7 @@ impl<S: Scalar> Cylinder<S> {
 ///
 /// Duff et al., *Building an orthonormal basis, revisited*, Journal of Computer Graphics
 /// Techniques 6 (2017), listing 3. Exact for coordinate axes.
-fn frame<T: Real>(n: Vec3<T>) -> [Vec3<T>; 2] {
+pub(super) fn frame<T: Real>(n: Vec3<T>) -> [Vec3<T>; 2] {
     let sign = if n.z < T::ZERO { -T::ONE } else { T::ONE };
     let a = -(T::ONE / (sign + n.z));
     let b = n.x * n.y * a;

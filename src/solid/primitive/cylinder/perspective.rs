@@ -86,7 +86,10 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cylinder<S> {
         let m = row.turn.map(|part| S::unit(part.at(x)));
         let chord = match S::chord(self.wall.radius, [S::moment(q, m)], q, m) {
             Some(Roots::Between(enter, exit)) => [enter, exit],
-            None if view.eye_within => [S::LOWEST, S::HIGHEST],
+            None => match self.nearly_along(view, row, x) {
+                Some(chord) => chord,
+                None => return,
+            },
             _ => return,
         };
         let between = self.caps.perspective_roots(&row.caps, x);
@@ -104,6 +107,35 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cylinder<S> {
             }
             Roots::Outside => {}
         }
+    }
+}
+
+impl<S: Scalar> Cylinder<S> {
+    /// Where a ray is inside the wall that is nearly parallel to the axis, or exactly.
+    ///
+    /// In fixed point, a direction has less digits than what it is rounded from. These are enough for rays
+    /// down to 2⁻¹⁸ radians.
+    #[cold]
+    #[inline(never)]
+    fn nearly_along(
+        &self,
+        view: &PerspectiveView<S>,
+        row: &PerspectiveRow<S>,
+        x: i32,
+    ) -> Option<[S; 2]> {
+        if S::SHORTEST > S::ZERO {
+            let sixteen = S::Wide::from_int(16);
+            let q = row.moment.map(|part| S::from_wide(part.at(x)));
+            let m = row.turn.map(|part| S::unit(part.at(x) * sixteen));
+            match S::chord(self.wall.radius, [S::moment(q, m)], q, m) {
+                Some(Roots::Between(enter, exit)) => {
+                    return Some([enter, exit].map(|t| S::from_wide(t.wide() * sixteen)));
+                }
+                Some(_) => return None,
+                None => {}
+            }
+        }
+        view.eye_within.then_some([S::LOWEST, S::HIGHEST])
     }
 }
 
