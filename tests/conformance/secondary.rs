@@ -3,15 +3,17 @@
 use crate::number::{Tested, vector};
 use crate::pictures::{direction, held};
 use proptest::prelude::*;
-use scancsg::geom::{Axis, Ray, Vec3};
-use scancsg::solid::{Cuboid, Cylinder, HalfSpace, Polyhedron, RayCast, Slab, Solid, Sphere};
+use scancsg::geom::{AffineMap, Axis, Ray, Vec3};
+use scancsg::solid::{
+    Cone, Cuboid, Cylinder, HalfSpace, Polyhedron, RayCast, Scaled, Slab, Solid, Sphere, Torus,
+};
 use scancsg::span::SpanList;
 use std::cell::Cell;
 
 for_every_number!(convex_solids_are_left, cut_solids_are_left);
 
 /// Rays a solid and number type.
-const CASES: u32 = 3000;
+const CASES: u32 = 2000;
 
 type V = [f64; 3];
 
@@ -32,6 +34,11 @@ fn length() -> impl Strategy<Value = f64> {
 /// Rays at a point near a solid, and a way on from where they meet it.
 fn aim<S: Tested>() -> impl Strategy<Value = (V, V, V)> {
     (direction::<S>(), prop::array::uniform3(-0.7..0.7), direction::<S>())
+}
+
+fn diagonal<S: Tested>([x, y, z]: [S; 3]) -> [Vec3<S>; 3] {
+    let o = S::ZERO;
+    [Vec3::new(x, o, o), Vec3::new(o, y, o), Vec3::new(o, o, z)]
 }
 
 /// From outside, a way on from a convex solid's face to its outer side meets nothing; to its inner side, what
@@ -105,6 +112,15 @@ fn convex_solids_are_left<S: Tested>() {
             let angle = std::f64::consts::TAU * i as f64 / 5.0;
             [center[0] + size * angle.cos(), center[1] + size * angle.sin()].map(S::near)
         });
+        let radii = [r.x, S::near(size * 0.4)];
+        if let Ok(cone) = Cone::from_to(c - reach, c + reach, radii) {
+            check(&cone, at, aim, &met)?;
+        }
+        check(&Cone::along(Axis::Y, [c.x, c.z], radii, c.y.minus(r.y), c.y.plus(r.y)).unwrap(), at, aim, &met)?;
+        let stretch = [1.5, -0.5, 0.75].map(S::near);
+        let shift = AffineMap::with_columns(diagonal(stretch), c).unwrap();
+        let egg = Scaled::new(Sphere::around(Vec3::ZERO, r.x).unwrap(), shift);
+        check(&egg, at, aim, &met)?;
         if let Ok(prism) = Polyhedron::<S, 7>::extruded(Axis::Z, polygon, ends[0], ends[1]) {
             check(&prism, at, aim, &met)?;
         }
@@ -122,22 +138,39 @@ fn cut_solids_are_left<S: Tested>() {
         let [r, bore] = [size, size / 2.0].map(S::near);
         let rod = |radius| Cylinder::along(Axis::Z, [x, y], radius, z.minus(r), z.plus(r)).unwrap();
         let tube = rod(r) - rod(bore);
-        let mut list = SpanList::<S, 4>::new();
-        let from: V = std::array::from_fn(|i| center[i] + size * 0.3 * off[i]);
-        let Ok(ray) = Ray::new(vector(from), vector(way)) else { return Ok(()) };
-        let Some(hit) = tube.hit(&ray, &mut list) else { return Ok(()) };
-        let on = vector::<S>(on);
-        let cosine = hit.normal.dot(on);
-        // At right angles to the wall, a chord has 2 r cos of its angle to the normal: more than rounding.
-        if hit.inside || cosine.to_f64() < 0.05 {
-            return Ok(());
-        }
-        let Ok(next) = hit.leave(on, scene::<S>()) else { return Ok(()) };
-        met.set(met.get() + 1);
-        if let Some(again) = tube.hit(&next, &mut list) {
-            let way = again.t.to_f64() * on.length_squared().to_f64().sqrt();
-            prop_assert!(!again.inside && way > 0.02 * size, "{} of {}", way, size);
-        }
+        let ring = Torus::along(Axis::Z, vector(center), r, S::near(size / 3.0)).unwrap();
+        check_next(&ring, (center, size), (way, off, on), &met)?;
+        check_next(&tube, (center, size), (way, off, on), &met)?;
     });
     assert!(met.get() > CASES / 20, "{met:?}");
+}
+
+/// From outside of a solid that isn't convex, and not too flat: the next face is some way off.
+fn check_next<S, T>(
+    solid: &T,
+    (center, size): (V, f64),
+    (way, off, on): (V, V, V),
+    met: &Cell<u32>,
+) -> Result<(), TestCaseError>
+where
+    S: Tested,
+    T: Solid<Scalar = S>,
+{
+    let mut list = SpanList::<S, 8>::new();
+    let from: V = std::array::from_fn(|i| center[i] + size * 0.3 * off[i]);
+    let Ok(ray) = Ray::new(vector(from), vector(way)) else { return Ok(()) };
+    let Some(hit) = solid.hit(&ray, &mut list) else { return Ok(()) };
+    let on = vector::<S>(on);
+    let cosine = hit.normal.dot(on);
+    // At right angles to the wall, a chord has 2 r cos of its angle to the normal: more than rounding.
+    if hit.inside || cosine.to_f64() < 0.05 {
+        return Ok(());
+    }
+    let Ok(next) = hit.leave(on, scene::<S>()) else { return Ok(()) };
+    met.set(met.get() + 1);
+    if let Some(again) = solid.hit(&next, &mut list) {
+        let way = again.t.to_f64() * on.length_squared().to_f64().sqrt();
+        prop_assert!(!again.inside && way > 0.02 * size, "{} of {}", way, size);
+    }
+    Ok(())
 }

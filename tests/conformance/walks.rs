@@ -161,19 +161,20 @@ where
         let solid = self.0;
         let mut view = T::View::EMPTY;
         solid.view(rays, &mut view);
-        let set = move |span: &mut dyn Any| {
+        let set = move |spans: &mut dyn Any| {
             let (x, y, columns) = PIXEL.get();
             let mut row = T::Row::EMPTY;
             solid.row(&view, y, columns, &mut row);
             let column = (x + columns as i32 - 1) / 2;
-            *span.downcast_mut::<Option<Span<T::Scalar>>>().unwrap() = None;
+            let spans = spans.downcast_mut::<Vec<Span<T::Scalar>>>().unwrap();
+            spans.clear();
             if T::enter(&mut row, column as u32).is_visible {
                 let mut behind = |t| solid.step::<Cold>(&view, &mut row, x, t, Face(0));
                 let lowest = Crossing { t: T::Scalar::LOWEST, face: Face(0) };
                 let Step { inside, next } = behind(lowest.t);
                 let enter = if inside { lowest } else { next };
                 let exit = if inside { next } else { behind(next.t).next };
-                *span.downcast_mut().unwrap() = Span::new(enter, exit);
+                spans.extend(Span::new(enter, exit));
             }
         };
         LEAVES.with_borrow_mut(|leaves| {
@@ -411,11 +412,10 @@ struct Leaves<R, B, L, C, O, X, P, D, E> {
     bored: Difference<[R; 2], [R; 2]>,
 }
 
+type Round<R, B, L, C, O> = ([R; 8], [B; 4], [L; 3], [C; 3], [O; 2]);
+
 impl<R: Copy, B, L, C, O, X, P, D, E> Leaves<R, B, L, C, O, X, P, D, E> {
-    fn new(
-        (r, b, s, c, o): ([R; 8], [B; 4], [L; 3], [C; 3], [O; 2]),
-        (x, p, drum, egg): ([X; 2], P, D, E),
-    ) -> Self {
+    fn new((r, b, s, c, o): Round<R, B, L, C, O>, (x, p, drum, egg): ([X; 2], P, D, E)) -> Self {
         let bored = Difference::new([r[0], r[1]], [r[2], r[3]]);
         Self { r, b, s, c, o, x, p, drum, egg, bored }
     }
