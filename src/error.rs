@@ -1,7 +1,7 @@
 //! What every error type of the crate can do, written once.
 
 /// Declares an error enum, each variant with its text: `as_str` (`const`, for messages at compile time),
-/// `Display` and `core::error::Error`. The second form gives texts to an enum that stands elsewhere.
+/// `Display` and `core::error::Error`.
 macro_rules! error_text {
     ($(#[$about:meta])* pub enum $Error:ident {
         $($(#[$when:meta])* $Variant:ident => $text:literal,)+
@@ -14,9 +14,6 @@ macro_rules! error_text {
             $($(#[$when])* $Variant,)+
         }
 
-        crate::error_text!($Error { $($Variant => $text),+ });
-    };
-    ($Error:ident { $($Variant:ident => $text:literal),+ $(,)? }) => {
         impl $Error {
             /// What is wrong, in a sentence.
             #[must_use]

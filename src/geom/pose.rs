@@ -23,24 +23,17 @@ pub struct Pose<S: Scalar> {
     translation: Vec3<S>,
 }
 
-/// Why a pose can't be.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum PoseError {
-    /// The angle or a coordinate is infinite or NaN.
-    NotFinite,
-    /// A coordinate of the translation is larger than [`Scalar::MAX_COORDINATE`].
-    TooFar,
-    /// The axis of a turn is zero.
-    ZeroAxis,
+crate::error_text! {
+    /// Why a pose can't be.
+    pub enum PoseError {
+        /// The angle or a coordinate is infinite or NaN.
+        NotFinite => "an angle or a coordinate of the pose is infinite or not a number",
+        /// A coordinate of the translation is larger than [`Scalar::MAX_COORDINATE`].
+        TooFar => "the pose shifts too far for its number type",
+        /// The axis of a turn is zero.
+        ZeroAxis => "the axis of the turn is zero",
+    }
 }
-
-crate::error_text!(PoseError {
-    NotFinite => "an angle or a coordinate of the pose is infinite or not a number",
-    TooFar => "the pose shifts too far for its number type",
-    ZeroAxis => "the axis of the turn is zero",
-});
 
 impl<S: Scalar> Pose<S> {
     /// The pose that moves nothing.

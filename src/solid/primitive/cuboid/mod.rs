@@ -45,27 +45,19 @@ pub struct Cuboid<S: Scalar> {
     corners: Corners<S>,
 }
 
-/// Why a box can't be made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum CuboidError {
-    /// A coordinate is infinite or NaN.
-    NotFinite,
-    /// A size is zero or negative: two corners have a coordinate in common, or are the wrong way round.
-    Empty,
-    /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
-    TooFar,
-    /// Of a rounded box: the radius isn't positive, or twice of it isn't below the smallest size.
-    Radius,
+crate::error_text! {
+    /// Why a box can't be made.
+    pub enum CuboidError {
+        /// A coordinate is infinite or NaN.
+        NotFinite => "a coordinate of the box is infinite or not a number",
+        /// A size is zero or negative: two corners have a coordinate in common, or are the wrong way round.
+        Empty => "the box has no volume: a size is zero or negative",
+        /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
+        TooFar => "the box is too far away for its number type",
+        /// Of a rounded box: the radius isn't positive, or twice of it isn't below the smallest size.
+        Radius => "the radius of the rounded box is not positive, or half of its smallest size or more",
+    }
 }
-
-crate::error_text!(CuboidError {
-    NotFinite => "a coordinate of the box is infinite or not a number",
-    Empty => "the box has no volume: a size is zero or negative",
-    TooFar => "the box is too far away for its number type",
-    Radius => "the radius of the rounded box is not positive, or half of its smallest size or more",
-});
 
 per_scalar! { $S: impl[] Cuboid<$S> {
     /// A box from its lowest corner to its highest.

@@ -28,27 +28,19 @@ pub struct Cylinder<S: Scalar> {
     pub(in crate::solid) caps: Planes<S>,
 }
 
-/// Why a cylinder can't be made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum CylinderError {
-    /// A coordinate or the radius is infinite or NaN.
-    NotFinite,
-    /// The radius is zero, negative, or not between [`Scalar::MIN_RADIUS`] and [`Scalar::MAX_COORDINATE`].
-    Radius,
-    /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
-    TooFar,
-    /// The lower end is not below the upper end, or the end points coincide.
-    Empty,
+crate::error_text! {
+    /// Why a cylinder can't be made.
+    pub enum CylinderError {
+        /// A coordinate or the radius is infinite or NaN.
+        NotFinite => "a coordinate or the radius of the cylinder is infinite or not a number",
+        /// The radius is zero, negative, or not between [`Scalar::MIN_RADIUS`] and [`Scalar::MAX_COORDINATE`].
+        Radius => "the radius of the cylinder is not positive, or out of its number type's range",
+        /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
+        TooFar => "the cylinder is too far away for its number type",
+        /// The lower end is not below the upper end, or the end points coincide.
+        Empty => "the cylinder has no length: its ends coincide or are the wrong way round",
+    }
 }
-
-crate::error_text!(CylinderError {
-    NotFinite => "a coordinate or the radius of the cylinder is infinite or not a number",
-    Radius => "the radius of the cylinder is not positive, or out of its number type's range",
-    TooFar => "the cylinder is too far away for its number type",
-    Empty => "the cylinder has no length: its ends coincide or are the wrong way round",
-});
 
 leaf!([S: Scalar] Cylinder<S>);
 

@@ -22,27 +22,19 @@ pub struct Slab<S: Scalar> {
     planes: Planes<S>,
 }
 
-/// Why a slab can't be made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum SlabError {
-    /// A coordinate or an offset is infinite or NaN.
-    NotFinite,
-    /// The normal is zero.
-    ZeroNormal,
-    /// The low offset is not below the high one.
-    Empty,
-    /// An offset is larger than [`Scalar::MAX_COORDINATE`].
-    TooFar,
+crate::error_text! {
+    /// Why a slab can't be made.
+    pub enum SlabError {
+        /// A coordinate or an offset is infinite or NaN.
+        NotFinite => "a coordinate or an offset of the slab is infinite or not a number",
+        /// The normal is zero.
+        ZeroNormal => "the normal of the slab is zero",
+        /// The low offset is not below the high one.
+        Empty => "the low offset of the slab is not below the high one",
+        /// An offset is larger than [`Scalar::MAX_COORDINATE`].
+        TooFar => "the slab is too far away for its number type",
+    }
 }
-
-crate::error_text!(SlabError {
-    NotFinite => "a coordinate or an offset of the slab is infinite or not a number",
-    ZeroNormal => "the normal of the slab is zero",
-    Empty => "the low offset of the slab is not below the high one",
-    TooFar => "the slab is too far away for its number type",
-});
 
 per_scalar! { $S: impl[] Slab<$S> {
     /// The points with `low ≤ x ≤ high`.

@@ -22,24 +22,17 @@ pub struct Sphere<S: Scalar> {
     curvature: S::Scale,
 }
 
-/// Why a sphere can't be made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum SphereError {
-    /// A coordinate or the radius is infinite or NaN.
-    NotFinite,
-    /// The radius is zero, negative, or not between [`Scalar::MIN_RADIUS`] and [`Scalar::MAX_COORDINATE`].
-    Radius,
-    /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
-    TooFar,
+crate::error_text! {
+    /// Why a sphere can't be made.
+    pub enum SphereError {
+        /// A coordinate or the radius is infinite or NaN.
+        NotFinite => "a coordinate or the radius of the sphere is infinite or not a number",
+        /// The radius is zero, negative, or not between [`Scalar::MIN_RADIUS`] and [`Scalar::MAX_COORDINATE`].
+        Radius => "the radius of the sphere is not positive, or out of its number type's range",
+        /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
+        TooFar => "the sphere is too far away for its number type",
+    }
 }
-
-crate::error_text!(SphereError {
-    NotFinite => "a coordinate or the radius of the sphere is infinite or not a number",
-    Radius => "the radius of the sphere is not positive, or out of its number type's range",
-    TooFar => "the sphere is too far away for its number type",
-});
 
 per_scalar! { $S: impl[] Sphere<$S> {
     /// A sphere around `center`.

@@ -51,30 +51,21 @@ pub struct Torus<S: Scalar> {
     ring: Ring<S>,
 }
 
-/// Why a torus can't be made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum TorusError {
-    /// A coordinate or a radius is infinite or NaN.
-    NotFinite,
-    /// The axis is zero.
-    ZeroAxis,
-    /// A radius is zero, negative, or not between [`Scalar::MIN_RADIUS`] and [`Scalar::MAX_COORDINATE`].
-    Radius,
-    /// The tube is as wide as its ring, or wider.
-    Tube,
-    /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
-    TooFar,
+crate::error_text! {
+    /// Why a torus can't be made.
+    pub enum TorusError {
+        /// A coordinate or a radius is infinite or NaN.
+        NotFinite => "a coordinate or a radius of the torus is infinite or not a number",
+        /// The axis is zero.
+        ZeroAxis => "the axis of the torus is zero",
+        /// A radius is zero, negative, or not between [`Scalar::MIN_RADIUS`] and [`Scalar::MAX_COORDINATE`].
+        Radius => "a radius of the torus is not positive, or out of its number type's range",
+        /// The tube is as wide as its ring, or wider.
+        Tube => "the tube of the torus is as wide as its ring, or wider",
+        /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
+        TooFar => "the torus is too far away for its number type",
+    }
 }
-
-crate::error_text!(TorusError {
-    NotFinite => "a coordinate or a radius of the torus is infinite or not a number",
-    ZeroAxis => "the axis of the torus is zero",
-    Radius => "a radius of the torus is not positive, or out of its number type's range",
-    Tube => "the tube of the torus is as wide as its ring, or wider",
-    TooFar => "the torus is too far away for its number type",
-});
 
 leaf!([S: Scalar] Torus<S>);
 
