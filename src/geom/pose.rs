@@ -2,7 +2,7 @@
 
 use super::direction::{Axis, Direction};
 use super::ray::Line;
-use super::vec3::Vec3;
+use super::vec3::{Vec3, vec3};
 use crate::scalar::{Number, Real, Scalar};
 
 /// A rotation followed by a translation: where a solid's own frame lies in the scene.
@@ -40,11 +40,7 @@ impl<S: Scalar> Pose<S> {
     pub const IDENTITY: Self = {
         let (zero, one) = (S::Unit::ZERO, S::Unit::ONE);
         Self {
-            axes: [
-                Vec3::new(one, zero, zero),
-                Vec3::new(zero, one, zero),
-                Vec3::new(zero, zero, one),
-            ],
+            axes: [vec3(one, zero, zero), vec3(zero, one, zero), vec3(zero, zero, one)],
             translation: Vec3::ZERO,
         }
     };
@@ -57,10 +53,7 @@ impl<S: Scalar> Pose<S> {
         if !by.is_finite() {
             return Err(PoseError::NotFinite);
         }
-        if !by.is_within_range() {
-            return Err(PoseError::TooFar);
-        }
-        Ok(Self { translation: by, ..Self::IDENTITY })
+        Self { translation: by, ..Self::IDENTITY }.checked()
     }
 
     /// A turn about the x axis, in radians, that takes y towards z.
@@ -181,11 +174,7 @@ impl<S: Scalar> Pose<S> {
     }
 
     fn checked(self) -> Result<Self, PoseError> {
-        if self.translation.max_abs() <= S::MAX_COORDINATE {
-            Ok(self)
-        } else {
-            Err(PoseError::TooFar)
-        }
+        if self.translation.is_within_range() { Ok(self) } else { Err(PoseError::TooFar) }
     }
 
     /// A point of the own frame, in the scene's.

@@ -162,19 +162,12 @@ impl<S: Scalar> Ray<S> {
 #[cold]
 #[inline(never)]
 fn check<S: Scalar>(origin: Vec3<S>, direction: Vec3<S>) -> Result<(), RayError> {
-    if !origin.is_finite() || !direction.is_finite() {
-        return Err(RayError::NotFinite);
-    }
-    if origin.max_abs() > S::MAX_COORDINATE {
-        return Err(RayError::TooFar);
-    }
     let largest = direction.max_abs();
-    if largest <= S::ZERO {
-        return Err(RayError::ZeroDirection);
-    }
-    if S::SHORTEST <= largest && largest <= S::LONGEST {
-        Ok(())
-    } else {
-        Err(RayError::DirectionLength)
+    match () {
+        () if !(origin.is_finite() && direction.is_finite()) => Err(RayError::NotFinite),
+        () if origin.max_abs() > S::MAX_COORDINATE => Err(RayError::TooFar),
+        () if largest <= S::ZERO => Err(RayError::ZeroDirection),
+        () if S::SHORTEST <= largest && largest <= S::LONGEST => Ok(()),
+        () => Err(RayError::DirectionLength),
     }
 }

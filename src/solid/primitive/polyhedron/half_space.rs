@@ -33,7 +33,7 @@ per_scalar! { $S: impl[] HalfSpace<$S> {
         if !ConstOps::<$S>::is_within_reach(offset) {
             return Err(HalfSpaceError::TooFar);
         }
-        match ConstOps::<$S>::normalized([normal.x, normal.y, normal.z]) {
+        match ConstOps::<$S>::normalized(normal.to_array()) {
             Some(normal) => Ok(Self { normal: Direction::<$S>::new(normal), offset }),
             None => Err(HalfSpaceError::ZeroNormal),
         }

@@ -39,23 +39,15 @@ per_scalar! { $S: impl[] Sphere<$S> {
     ///
     /// # Errors
     /// [`SphereError::NotFinite`], [`SphereError::Radius`], [`SphereError::TooFar`].
-    pub const fn new(
-        center: Vec3<$S>,
-        radius: $S,
-    ) -> Result<Self, SphereError> {
-        if !center.has_finite_coordinates() || !ConstOps::<$S>::is_finite(radius) {
-            return Err(SphereError::NotFinite);
+    pub const fn new(center: Vec3<$S>, radius: $S) -> Result<Self, SphereError> {
+        type Ops<S> = ConstOps<S>;
+        let is_finite = center.has_finite_coordinates() && Ops::<$S>::is_finite(radius);
+        match () {
+            () if !is_finite => Err(SphereError::NotFinite),
+            () if !Ops::<$S>::is_radius(radius) => Err(SphereError::Radius),
+            () if !center.is_within_reach() => Err(SphereError::TooFar),
+            () => Ok(Self { ball: Ball { center, radius }, curvature: Ops::<$S>::inverse(radius) }),
         }
-        if !ConstOps::<$S>::is_radius(radius) {
-            return Err(SphereError::Radius);
-        }
-        if !center.is_within_reach() {
-            return Err(SphereError::TooFar);
-        }
-        Ok(Self {
-            ball: Ball { center, radius },
-            curvature: ConstOps::<$S>::inverse(radius),
-        })
     }
 } }
 
@@ -66,16 +58,12 @@ impl<S: Scalar> Sphere<S> {
     /// # Errors
     /// As [`new`](Self::new).
     pub fn around(center: Vec3<S>, radius: S) -> Result<Self, SphereError> {
-        if !(center.is_finite() && radius.is_finite()) {
-            return Err(SphereError::NotFinite);
+        match () {
+            () if !(center.is_finite() && radius.is_finite()) => Err(SphereError::NotFinite),
+            () if !radius.is_radius() => Err(SphereError::Radius),
+            () if !center.is_within_range() => Err(SphereError::TooFar),
+            () => Ok(Self { ball: Ball { center, radius }, curvature: radius.inverse() }),
         }
-        if !radius.is_radius() {
-            return Err(SphereError::Radius);
-        }
-        if !center.max_abs().is_within_range() {
-            return Err(SphereError::TooFar);
-        }
-        Ok(Self { ball: Ball { center, radius }, curvature: radius.inverse() })
     }
 }
 
