@@ -2,8 +2,8 @@
 
 use super::active::{GroupRow, Member, NONE};
 use super::stage::Scan;
-use crate::span::walk::{Cold, Members, Path, Step, exit_of_union, step_of_union};
-use crate::span::{Crossing, Face};
+use crate::span::Face;
+use crate::span::walk::{Cold, Members, Path, Step, step_of_union};
 
 /// The active elements of a group, on one ray.
 pub(crate) struct Active<'a, P, T: Scan<P>> {
@@ -19,7 +19,7 @@ impl<P, T: Scan<P>> Active<'_, P, T> {
     #[inline(always)]
     pub(crate) fn contains<H: Path>(mut self, t: T::Scalar) -> bool {
         if H::IS_COLD {
-            self.outlined(move |mut active| active.any_contains::<Cold>(t))
+            self.outlined(t, |mut active, t| active.any_contains::<Cold>(t))
         } else {
             self.any_contains::<H>(t)
         }
@@ -27,17 +27,12 @@ impl<P, T: Scan<P>> Active<'_, P, T> {
 
     /// As [`Scan::step`].
     #[inline(always)]
-    pub(crate) fn step<H: Path>(mut self, t: T::Scalar) -> Step<T::Scalar> {
+    pub(crate) fn step<H: Path>(self, t: T::Scalar) -> Step<T::Scalar> {
         if H::IS_COLD {
-            self.outlined(move |mut active| step_of_union::<Cold, _>(&mut active, t))
+            self.outlined(t, step_of_union::<Cold, _>)
         } else {
-            step_of_union::<H, _>(&mut self, t)
+            step_of_union::<H, _>(self, t)
         }
-    }
-
-    #[inline(always)]
-    fn outlined<A>(&mut self, ask: impl FnOnce(Active<'_, P, T>) -> A) -> A {
-        outlined(self.group, self.solids, self.views, self.x, self.first, ask)
     }
 
     /// Calls `ask` with every active element and its index, until it says that this is enough.
@@ -76,15 +71,16 @@ impl<P, T: Scan<P>> Active<'_, P, T> {
 
 /// A question out of line. The elements are arguments, not a struct in memory: so they stay in registers.
 #[inline(never)]
-fn outlined<P, T: Scan<P>, A>(
-    group: &mut GroupRow<[Member<T::Row>]>,
-    solids: &[T],
-    views: &[T::View],
+fn outlined<'a, P, T: Scan<P>, A, B>(
+    group: &'a mut GroupRow<[Member<T::Row>]>,
+    solids: &'a [T],
+    views: &'a [T::View],
     x: i32,
     first: Face,
-    ask: impl FnOnce(Active<'_, P, T>) -> A,
-) -> A {
-    ask(Active { group, solids, views, x, first })
+    with: A,
+    ask: impl FnOnce(Active<'a, P, T>, A) -> B,
+) -> B {
+    ask(Active { group, solids, views, x, first }, with)
 }
 
 impl<P, T: Scan<P>> Members<T::Scalar> for Active<'_, P, T> {
@@ -96,14 +92,15 @@ impl<P, T: Scan<P>> Members<T::Scalar> for Active<'_, P, T> {
     #[inline(always)]
     fn unite<H: Path>(&mut self, t: T::Scalar) -> Step<T::Scalar> {
         if H::IS_COLD {
-            self.outlined(move |mut active| active.unite_all::<Cold>(t))
+            let unite = |mut active: Active<'_, P, T>, t| active.unite_all::<Cold>(t);
+            outlined(self.group, self.solids, self.views, self.x, self.first, t, unite)
         } else {
             self.unite_all::<H>(t)
         }
     }
 
     #[inline(always)]
-    fn exit(&mut self, next: Crossing<T::Scalar>) -> Crossing<T::Scalar> {
-        self.outlined(move |mut active| exit_of_union(&mut active, next))
+    fn outlined<A, B>(self, with: A, ask: impl FnOnce(Self, A) -> B) -> B {
+        outlined(self.group, self.solids, self.views, self.x, self.first, with, ask)
     }
 }
