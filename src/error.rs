@@ -1,9 +1,19 @@
 //! What every error type of the crate can do, written once.
 
-/// Gives an error enum its texts: `as_str` (`const`, for messages at compile time), `Display` and
-/// `core::error::Error`.
+/// Declares an error enum, each variant with its text: `as_str` (`const`, for messages at compile time),
+/// `Display` and `core::error::Error`.
 macro_rules! error_text {
-    ($Error:ident { $($Variant:ident => $text:literal),+ $(,)? }) => {
+    ($(#[$about:meta])* pub enum $Error:ident {
+        $($(#[$when:meta])* $Variant:ident => $text:literal,)+
+    }) => {
+        $(#[$about])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[non_exhaustive]
+        pub enum $Error {
+            $($(#[$when])* $Variant,)+
+        }
+
         impl $Error {
             /// What is wrong, in a sentence.
             #[must_use]

@@ -29,26 +29,19 @@ pub struct AffineMap<S: Scalar> {
     shift: Vec3<S>,
 }
 
-/// Why an affine map can't be.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum AffineError {
-    /// A number is infinite or NaN.
-    NotFinite,
-    /// A coordinate of the shift is larger than [`Scalar::MAX_COORDINATE`].
-    TooFar,
-    /// The matrix has no inverse; or an entry of either is larger than [`Scalar::MAX_COORDINATE`] in
-    /// floating point, 4096 in fixed point. With less than 16 bits of fraction, an inverse's are less: 1/16
-    /// for 8 bits, and twice as much for each bit more.
-    Singular,
+crate::error_text! {
+    /// Why an affine map can't be.
+    pub enum AffineError {
+        /// A number is infinite or NaN.
+        NotFinite => "a number of the affine map is infinite or not a number",
+        /// A coordinate of the shift is larger than [`Scalar::MAX_COORDINATE`].
+        TooFar => "the affine map shifts too far for its number type",
+        /// The matrix has no inverse; or an entry of either is larger than [`Scalar::MAX_COORDINATE`] in
+        /// floating point, 4096 in fixed point. With less than 16 bits of fraction, an inverse's are less: 1/16
+        /// for 8 bits, and twice as much for each bit more.
+        Singular => "the matrix of the affine map has no inverse in its number type's range",
+    }
 }
-
-crate::error_text!(AffineError {
-    NotFinite => "a number of the affine map is infinite or not a number",
-    TooFar => "the affine map shifts too far for its number type",
-    Singular => "the matrix of the affine map has no inverse in its number type's range",
-});
 
 per_scalar! { $S: impl[] AffineMap<$S> {
     /// The map that takes the coordinate axes to `columns`, and the origin to `shift`.

@@ -36,24 +36,17 @@ pub struct AxisLine<S: Scalar> {
     length: S,
 }
 
-/// Why two points make no axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum AxisLineError {
-    /// A coordinate is infinite or NaN.
-    NotFinite,
-    /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
-    TooFar,
-    /// The points coincide.
-    Empty,
+crate::error_text! {
+    /// Why two points make no axis.
+    pub enum AxisLineError {
+        /// A coordinate is infinite or NaN.
+        NotFinite => "a coordinate of the axis is infinite or not a number",
+        /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
+        TooFar => "a point of the axis is too far away for its number type",
+        /// The points coincide.
+        Empty => "the points of the axis coincide",
+    }
 }
-
-crate::error_text!(AxisLineError {
-    NotFinite => "a coordinate of the axis is infinite or not a number",
-    TooFar => "a point of the axis is too far away for its number type",
-    Empty => "the points of the axis coincide",
-});
 
 per_scalar! { $S: impl[] AxisLine<$S> {
     /// The line from one point to another.

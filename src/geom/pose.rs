@@ -2,7 +2,7 @@
 
 use super::direction::{Axis, Direction};
 use super::ray::Line;
-use super::vec3::Vec3;
+use super::vec3::{Vec3, vec3};
 use crate::scalar::{Number, Real, Scalar};
 
 /// A rotation followed by a translation: where a solid's own frame lies in the scene.
@@ -23,35 +23,24 @@ pub struct Pose<S: Scalar> {
     translation: Vec3<S>,
 }
 
-/// Why a pose can't be.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum PoseError {
-    /// The angle or a coordinate is infinite or NaN.
-    NotFinite,
-    /// A coordinate of the translation is larger than [`Scalar::MAX_COORDINATE`].
-    TooFar,
-    /// The axis of a turn is zero.
-    ZeroAxis,
+crate::error_text! {
+    /// Why a pose can't be.
+    pub enum PoseError {
+        /// The angle or a coordinate is infinite or NaN.
+        NotFinite => "an angle or a coordinate of the pose is infinite or not a number",
+        /// A coordinate of the translation is larger than [`Scalar::MAX_COORDINATE`].
+        TooFar => "the pose shifts too far for its number type",
+        /// The axis of a turn is zero.
+        ZeroAxis => "the axis of the turn is zero",
+    }
 }
-
-crate::error_text!(PoseError {
-    NotFinite => "an angle or a coordinate of the pose is infinite or not a number",
-    TooFar => "the pose shifts too far for its number type",
-    ZeroAxis => "the axis of the turn is zero",
-});
 
 impl<S: Scalar> Pose<S> {
     /// The pose that moves nothing.
     pub const IDENTITY: Self = {
         let (zero, one) = (S::Unit::ZERO, S::Unit::ONE);
         Self {
-            axes: [
-                Vec3::new(one, zero, zero),
-                Vec3::new(zero, one, zero),
-                Vec3::new(zero, zero, one),
-            ],
+            axes: [vec3(one, zero, zero), vec3(zero, one, zero), vec3(zero, zero, one)],
             translation: Vec3::ZERO,
         }
     };
@@ -64,10 +53,7 @@ impl<S: Scalar> Pose<S> {
         if !by.is_finite() {
             return Err(PoseError::NotFinite);
         }
-        if !by.is_within_range() {
-            return Err(PoseError::TooFar);
-        }
-        Ok(Self { translation: by, ..Self::IDENTITY })
+        Self { translation: by, ..Self::IDENTITY }.checked()
     }
 
     /// A turn about the x axis, in radians, that takes y towards z.
@@ -188,11 +174,7 @@ impl<S: Scalar> Pose<S> {
     }
 
     fn checked(self) -> Result<Self, PoseError> {
-        if self.translation.max_abs() <= S::MAX_COORDINATE {
-            Ok(self)
-        } else {
-            Err(PoseError::TooFar)
-        }
+        if self.translation.is_within_range() { Ok(self) } else { Err(PoseError::TooFar) }
     }
 
     /// A point of the own frame, in the scene's.

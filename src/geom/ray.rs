@@ -37,29 +37,21 @@ pub(super) fn nearest<T: Real>(way: Vec3<T>, direction: Vec3<T>) -> T {
     way.dot(direction) / direction.length_squared() * power
 }
 
-/// Why a ray can't be used.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum RayError {
-    /// A coordinate is infinite or NaN.
-    NotFinite,
-    /// The direction is zero.
-    ZeroDirection,
-    /// The origin is farther from the scene's than [`Scalar::MAX_COORDINATE`].
-    TooFar,
-    /// The largest coordinate of the direction is not between [`Scalar::SHORTEST`] and
-    /// [`Scalar::LONGEST`]. In fixed point, parameters would not fit the number type; floating point
-    /// takes every length.
-    DirectionLength,
+crate::error_text! {
+    /// Why a ray can't be used.
+    pub enum RayError {
+        /// A coordinate is infinite or NaN.
+        NotFinite => "a coordinate of the ray is infinite or not a number",
+        /// The direction is zero.
+        ZeroDirection => "the direction of the ray is zero",
+        /// The origin is farther from the scene's than [`Scalar::MAX_COORDINATE`].
+        TooFar => "the ray starts too far away for its number type",
+        /// The largest coordinate of the direction is not between [`Scalar::SHORTEST`] and
+        /// [`Scalar::LONGEST`]. In fixed point, parameters would not fit the number type; floating point
+        /// takes every length.
+        DirectionLength => "the direction of the ray is too short or too long for its number type",
+    }
 }
-
-crate::error_text!(RayError {
-    NotFinite => "a coordinate of the ray is infinite or not a number",
-    ZeroDirection => "the direction of the ray is zero",
-    TooFar => "the ray starts too far away for its number type",
-    DirectionLength => "the direction of the ray is too short or too long for its number type",
-});
 
 /// A ray `p(t) = origin + t · direction`, t ≥ 0, checked and made ready for any number of solids.
 ///
@@ -170,19 +162,12 @@ impl<S: Scalar> Ray<S> {
 #[cold]
 #[inline(never)]
 fn check<S: Scalar>(origin: Vec3<S>, direction: Vec3<S>) -> Result<(), RayError> {
-    if !origin.is_finite() || !direction.is_finite() {
-        return Err(RayError::NotFinite);
-    }
-    if origin.max_abs() > S::MAX_COORDINATE {
-        return Err(RayError::TooFar);
-    }
     let largest = direction.max_abs();
-    if largest <= S::ZERO {
-        return Err(RayError::ZeroDirection);
-    }
-    if S::SHORTEST <= largest && largest <= S::LONGEST {
-        Ok(())
-    } else {
-        Err(RayError::DirectionLength)
+    match () {
+        () if !(origin.is_finite() && direction.is_finite()) => Err(RayError::NotFinite),
+        () if origin.max_abs() > S::MAX_COORDINATE => Err(RayError::TooFar),
+        () if largest <= S::ZERO => Err(RayError::ZeroDirection),
+        () if S::SHORTEST <= largest && largest <= S::LONGEST => Ok(()),
+        () => Err(RayError::DirectionLength),
     }
 }

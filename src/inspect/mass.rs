@@ -58,28 +58,20 @@ pub struct MassProperties<S: Scalar> {
     pub high: Vec3<S>,
 }
 
-/// Why there are no mass properties.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum MassError {
-    /// There are no bounds to integrate in, or they are infinite or NaN.
-    Unbounded,
-    /// The bounds have no volume, or no ray meets the solid inside of them.
-    Empty,
-    /// There are fewer than two rows.
-    Rows,
-    /// The bounds are beyond [`Scalar::MAX_COORDINATE`]; or their volume, or the square of a side, is beyond
-    /// the range of [`Scalar::Wide`]: 2³¹ in fixed point.
-    TooFar,
+crate::error_text! {
+    /// Why there are no mass properties.
+    pub enum MassError {
+        /// There are no bounds to integrate in, or they are infinite or NaN.
+        Unbounded => "the solid has no finite bounds to integrate in",
+        /// The bounds have no volume, or no ray meets the solid inside of them.
+        Empty => "nothing of the solid was found in the bounds",
+        /// There are fewer than two rows.
+        Rows => "there must be at least two rows",
+        /// The bounds are beyond [`Scalar::MAX_COORDINATE`]; or their volume, or the square of a side, is beyond
+        /// the range of [`Scalar::Wide`]: 2³¹ in fixed point.
+        TooFar => "the bounds are too large for the number type",
+    }
 }
-
-crate::error_text!(MassError {
-    Unbounded => "the solid has no finite bounds to integrate in",
-    Empty => "nothing of the solid was found in the bounds",
-    Rows => "there must be at least two rows",
-    TooFar => "the bounds are too large for the number type",
-});
 
 /// A sum, and what its rounding lost.
 #[derive(Clone, Copy)]

@@ -58,6 +58,9 @@ pub trait Native:
     /// Sine and cosine of an angle in radians.
     fn sine_and_cosine(self) -> (Self, Self);
 
+    /// The remainder of a division, exactly; it has the sign of `self`.
+    fn remainder(self, divisor: Self) -> Self;
+
     /// The next smaller number.
     fn predecessor(self) -> Self;
 
@@ -84,7 +87,7 @@ pub struct Constants<S> {
 }
 
 macro_rules! native {
-    ($Float:ident, $Bits:ident, $lengths:expr, $two_product:path, $sqrt:path, $sin_cos:path) => {
+    ($Float:ident, $Bits:ident, $lengths:expr, $two_product:path, $sqrt:path, $sin_cos:path, $fmod:path) => {
         impl Native for $Float {
             const CONSTANTS: Constants<Self> = Constants {
                 zero: 0.0,
@@ -144,6 +147,10 @@ macro_rules! native {
                 $sin_cos(self)
             }
 
+            fn remainder(self, divisor: Self) -> Self {
+                $fmod(self, divisor)
+            }
+
             fn predecessor(self) -> Self {
                 self.next_down()
             }
@@ -159,8 +166,8 @@ macro_rules! native {
     };
 }
 
-native!(f32, u32, [1e-12, 1e15], two_product_f32, sqrt_f32, libm::sincosf);
-native!(f64, u64, [1e-60, 1e60], two_product, libm::sqrt, libm::sincos);
+native!(f32, u32, [1e-12, 1e15], two_product_f32, sqrt_f32, libm::sincosf, libm::fmodf);
+native!(f64, u64, [1e-60, 1e60], two_product, libm::sqrt, libm::sincos, libm::fmod);
 
 #[cfg(test)]
 mod tests {

@@ -13,35 +13,25 @@ pub trait Camera {
     fn rays(&self, size: Size) -> Self::Rays;
 }
 
-/// Why a camera can't be set up.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum CameraError {
-    /// A coordinate is infinite or NaN.
-    NotFinite,
-    /// The viewing direction is zero: the eye lies on the target, or too near to it to have an
-    /// inverse distance.
-    ZeroDirection,
-    /// A coordinate of the target, or the eye's distance from it, is larger than [`Scalar::MAX_COORDINATE`].
-    TooFar,
-    /// The camera looks along its up vector, or that vector is zero.
-    UpAlongView,
-    /// The frame height is not a positive finite number.
-    FrameHeight,
-    /// The field of view is not between 0 and π, or so near to π that the frame has no size. In fixed point
-    /// it must be less than 2.58, or 148°: no square picture could show more.
-    FieldOfView,
+crate::error_text! {
+    /// Why a camera can't be set up.
+    pub enum CameraError {
+        /// A coordinate is infinite or NaN.
+        NotFinite => "a coordinate of the camera is infinite or not a number",
+        /// The viewing direction is zero: the eye lies on the target, or too near to it to have an
+        /// inverse distance.
+        ZeroDirection => "the camera has no viewing direction: the eye lies on the target",
+        /// A coordinate of the target, or the eye's distance from it, is larger than [`Scalar::MAX_COORDINATE`].
+        TooFar => "the camera is too far away for its number type",
+        /// The camera looks along its up vector, or that vector is zero.
+        UpAlongView => "the camera looks along its up vector, or that vector is zero",
+        /// The frame height is not a positive finite number.
+        FrameHeight => "the frame height of the camera is not a positive number",
+        /// The field of view is not between 0 and π, or so near to π that the frame has no size. In fixed point
+        /// it must be less than 2.58, or 148°: no square picture could show more.
+        FieldOfView => "the field of view of the camera is not between 0 and pi, or too wide",
+    }
 }
-
-crate::error_text!(CameraError {
-    NotFinite => "a coordinate of the camera is infinite or not a number",
-    ZeroDirection => "the camera has no viewing direction: the eye lies on the target",
-    TooFar => "the camera is too far away for its number type",
-    UpAlongView => "the camera looks along its up vector, or that vector is zero",
-    FrameHeight => "the frame height of the camera is not a positive number",
-    FieldOfView => "the field of view of the camera is not between 0 and pi, or too wide",
-});
 
 /// Where a camera looks, as a right-handed frame of unit vectors: right, down, forward.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -53,27 +53,20 @@ pub struct Picture<'a, T: Scan<R>, R: Rays, H, P> {
     background: P,
 }
 
-/// Why a row can't be rendered.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum RowError {
-    /// The index of a row or column is not inside the picture.
-    Index,
-    /// The caller's slice has not as many pixels as there are columns to fill.
-    Length,
-    /// The picture shows more of the scene than its number type can: in fixed point, its width and height
-    /// together, in the plane through the target, must be less than the number type's range (32,768 in
-    /// `I16F16`), and in perspective a pixel times [`Scalar::MAX_COORDINATE`](crate::scalar::Scalar::MAX_COORDINATE) less than 2³⁰
-    /// and (1 + width/height) · tan(field of view / 2) less than 7.
-    Range,
+crate::error_text! {
+    /// Why a row can't be rendered.
+    pub enum RowError {
+        /// The index of a row or column is not inside the picture.
+        Index => "the index of a row or column is not inside the picture",
+        /// The caller's slice has not as many pixels as there are columns to fill.
+        Length => "the slice for the pixels is shorter or longer than the row or run",
+        /// The picture shows more of the scene than its number type can: in fixed point, its width and height
+        /// together, in the plane through the target, must be less than the number type's range (32,768 in
+        /// `I16F16`), and in perspective a pixel times [`Scalar::MAX_COORDINATE`] less than 2³⁰
+        /// and (1 + width/height) · tan(field of view / 2) less than 7.
+        Range => "the picture shows more of the scene than its number type's range",
+    }
 }
-
-crate::error_text!(RowError {
-    Index => "the index of a row or column is not inside the picture",
-    Range => "the picture shows more of the scene than its number type's range",
-    Length => "the slice for the pixels is shorter or longer than the row or run",
-});
 
 impl<'a, T, R, H, P> Picture<'a, T, R, H, P>
 where

@@ -18,27 +18,19 @@ pub trait Shader<S: Scalar> {
         R: Rays<Scalar = S>;
 }
 
-/// Why a shader can't be set up.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum ShadeError {
-    /// The direction to the light is zero, infinite or NaN.
-    LightDirection,
-    /// The ambient light is not between 0 and 1.
-    Ambient,
-    /// The range of depths is empty, infinite or NaN.
-    DepthRange,
-    /// The thickness that is shown white is not a positive finite number.
-    Thickness,
+crate::error_text! {
+    /// Why a shader can't be set up.
+    pub enum ShadeError {
+        /// The direction to the light is zero, infinite or NaN.
+        LightDirection => "the direction to the light is zero, infinite or not a number",
+        /// The ambient light is not between 0 and 1.
+        Ambient => "the ambient light is not between 0 and 1",
+        /// The range of depths is empty, infinite or NaN.
+        DepthRange => "the range of depths is empty, infinite or not a number",
+        /// The thickness that is shown white is not a positive finite number.
+        Thickness => "the thickness shown white is not a positive number",
+    }
 }
-
-crate::error_text!(ShadeError {
-    LightDirection => "the direction to the light is zero, infinite or not a number",
-    Ambient => "the ambient light is not between 0 and 1",
-    DepthRange => "the range of depths is empty, infinite or not a number",
-    Thickness => "the thickness shown white is not a positive number",
-});
 
 /// One directional light and ambient light, on a matt surface.
 ///

@@ -8,18 +8,13 @@ pub struct Size {
     height: u16,
 }
 
-/// Why a picture can't have a size.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum SizeError {
-    /// The width or the height is zero.
-    Zero,
+crate::error_text! {
+    /// Why a picture can't have a size.
+    pub enum SizeError {
+        /// The width or the height is zero.
+        Zero => "the width or the height of the picture is zero",
+    }
 }
-
-crate::error_text!(SizeError {
-    Zero => "the width or the height of the picture is zero",
-});
 
 impl Size {
     /// A size in pixels.

@@ -23,24 +23,17 @@ impl<P: Blend> SmoothColumn<P> {
 /// No solid has this face: their number is a `u16`, too.
 const NOTHING: Face = Face(u16::MAX);
 
-/// Why a picture can't be smoothed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum SmoothError {
-    /// The number of samples is not between 1 and [`Smoothing::MOST_SAMPLES`].
-    Samples,
-    /// Width or height, times the number of samples, are more than 32,767.
-    Size,
-    /// The memory is not one column longer than the picture is wide.
-    Memory,
+crate::error_text! {
+    /// Why a picture can't be smoothed.
+    pub enum SmoothError {
+        /// The number of samples is not between 1 and [`Smoothing::MOST_SAMPLES`].
+        Samples => "the number of samples across a pixel is not between 1 and 16",
+        /// Width or height, times the number of samples, are more than 32,767.
+        Size => "the picture has more samples across than there can be",
+        /// The memory is not one column longer than the picture is wide.
+        Memory => "the memory for smoothing is not one column longer than the picture is wide",
+    }
 }
-
-crate::error_text!(SmoothError {
-    Samples => "the number of samples across a pixel is not between 1 and 16",
-    Size => "the picture has more samples across than there can be",
-    Memory => "the memory for smoothing is not one column longer than the picture is wide",
-});
 
 /// How a picture is smoothed, and the memory that it takes.
 pub struct Smoothing<'m, P: Blend> {

@@ -2,19 +2,39 @@
 
 use super::active::{GroupRow, Member, NONE};
 use super::stage::Scan;
-use crate::span::walk::{Cold, Members, Path, Step, exit_of_union, step_of_union};
-use crate::span::{Crossing, Face};
+use crate::span::Face;
+use crate::span::walk::{Cold, Members, Path, Step, step_of_union};
 
 /// The active elements of a group, on one ray.
-struct Active<'a, P, T: Scan<P>> {
-    group: &'a mut GroupRow<[Member<T::Row>]>,
-    solids: &'a [T],
-    views: &'a [T::View],
-    x: i32,
-    first: Face,
+pub(crate) struct Active<'a, P, T: Scan<P>> {
+    pub(crate) group: &'a mut GroupRow<[Member<T::Row>]>,
+    pub(crate) solids: &'a [T],
+    pub(crate) views: &'a [T::View],
+    pub(crate) x: i32,
+    pub(crate) first: Face,
 }
 
 impl<P, T: Scan<P>> Active<'_, P, T> {
+    /// As [`Scan::contains`].
+    #[inline(always)]
+    pub(crate) fn contains<H: Path>(mut self, t: T::Scalar) -> bool {
+        if H::IS_COLD {
+            self.outlined(t, |mut active, t| active.any_contains::<Cold>(t))
+        } else {
+            self.any_contains::<H>(t)
+        }
+    }
+
+    /// As [`Scan::step`].
+    #[inline(always)]
+    pub(crate) fn step<H: Path>(self, t: T::Scalar) -> Step<T::Scalar> {
+        if H::IS_COLD {
+            self.outlined(t, step_of_union::<Cold, _>)
+        } else {
+            step_of_union::<H, _>(self, t)
+        }
+    }
+
     /// Calls `ask` with every active element and its index, until it says that this is enough.
     #[inline(always)]
     fn any(&mut self, mut ask: impl FnMut(u16, &T, &T::View, &mut T::Row) -> bool) -> bool {
@@ -32,6 +52,12 @@ impl<P, T: Scan<P>> Active<'_, P, T> {
     }
 
     #[inline(always)]
+    fn any_contains<H: Path>(&mut self, t: T::Scalar) -> bool {
+        let x = self.x;
+        self.any(|_, solid, view, row| solid.contains::<H>(view, row, x, t))
+    }
+
+    #[inline(always)]
     fn unite_all<H: Path>(&mut self, t: T::Scalar) -> Step<T::Scalar> {
         let (x, first) = (self.x, self.first);
         let mut all = Step::OUTSIDE;
@@ -43,6 +69,20 @@ impl<P, T: Scan<P>> Active<'_, P, T> {
     }
 }
 
+/// A question out of line. The elements are arguments, not a struct in memory: so they stay in registers.
+#[inline(never)]
+fn outlined<'a, P, T: Scan<P>, A, B>(
+    group: &'a mut GroupRow<[Member<T::Row>]>,
+    solids: &'a [T],
+    views: &'a [T::View],
+    x: i32,
+    first: Face,
+    with: A,
+    ask: impl FnOnce(Active<'a, P, T>, A) -> B,
+) -> B {
+    ask(Active { group, solids, views, x, first }, with)
+}
+
 impl<P, T: Scan<P>> Members<T::Scalar> for Active<'_, P, T> {
     fn is_single(&self) -> bool {
         let first = self.group.members.get(usize::from(self.group.active));
@@ -52,108 +92,15 @@ impl<P, T: Scan<P>> Members<T::Scalar> for Active<'_, P, T> {
     #[inline(always)]
     fn unite<H: Path>(&mut self, t: T::Scalar) -> Step<T::Scalar> {
         if H::IS_COLD {
-            self.group.unite_cold::<P, T>(self.solids, self.views, self.x, t, self.first)
+            let unite = |mut active: Active<'_, P, T>, t| active.unite_all::<Cold>(t);
+            outlined(self.group, self.solids, self.views, self.x, self.first, t, unite)
         } else {
             self.unite_all::<H>(t)
         }
     }
 
     #[inline(always)]
-    fn exit(&mut self, next: Crossing<T::Scalar>) -> Crossing<T::Scalar> {
-        self.group.exit::<P, T>(self.solids, self.views, self.x, next, self.first)
-    }
-}
-
-impl<R> GroupRow<[Member<R>]> {
-    /// As [`Scan::contains`].
-    #[inline(always)]
-    pub(crate) fn contains<H: Path, P, T: Scan<P, Row = R>>(
-        &mut self,
-        solids: &[T],
-        views: &[T::View],
-        x: i32,
-        t: T::Scalar,
-    ) -> bool {
-        if H::IS_COLD {
-            self.contains_cold::<P, T>(solids, views, x, t)
-        } else {
-            self.contains_in::<H, P, T>(solids, views, x, t)
-        }
-    }
-
-    #[inline(never)]
-    fn contains_cold<P, T: Scan<P, Row = R>>(
-        &mut self,
-        solids: &[T],
-        views: &[T::View],
-        x: i32,
-        t: T::Scalar,
-    ) -> bool {
-        self.contains_in::<Cold, P, T>(solids, views, x, t)
-    }
-
-    #[inline(always)]
-    fn contains_in<H: Path, P, T: Scan<P, Row = R>>(
-        &mut self,
-        solids: &[T],
-        views: &[T::View],
-        x: i32,
-        t: T::Scalar,
-    ) -> bool {
-        let mut active = Active::<P, T> { group: self, solids, views, x, first: Face(0) };
-        active.any(|_, solid, view, row| solid.contains::<H>(view, row, x, t))
-    }
-
-    /// As [`Scan::step`].
-    #[inline(always)]
-    pub(crate) fn step<H: Path, P, T: Scan<P, Row = R>>(
-        &mut self,
-        solids: &[T],
-        views: &[T::View],
-        x: i32,
-        t: T::Scalar,
-        first: Face,
-    ) -> Step<T::Scalar> {
-        if H::IS_COLD {
-            self.step_cold::<P, T>(solids, views, x, t, first)
-        } else {
-            step_of_union::<H, _>(&mut Active::<P, T> { group: self, solids, views, x, first }, t)
-        }
-    }
-
-    #[inline(never)]
-    fn step_cold<P, T: Scan<P, Row = R>>(
-        &mut self,
-        solids: &[T],
-        views: &[T::View],
-        x: i32,
-        t: T::Scalar,
-        first: Face,
-    ) -> Step<T::Scalar> {
-        step_of_union::<Cold, _>(&mut Active::<P, T> { group: self, solids, views, x, first }, t)
-    }
-
-    #[inline(never)]
-    fn unite_cold<P, T: Scan<P, Row = R>>(
-        &mut self,
-        solids: &[T],
-        views: &[T::View],
-        x: i32,
-        t: T::Scalar,
-        first: Face,
-    ) -> Step<T::Scalar> {
-        Active::<P, T> { group: self, solids, views, x, first }.unite_all::<Cold>(t)
-    }
-
-    #[inline(never)]
-    fn exit<P, T: Scan<P, Row = R>>(
-        &mut self,
-        solids: &[T],
-        views: &[T::View],
-        x: i32,
-        next: Crossing<T::Scalar>,
-        first: Face,
-    ) -> Crossing<T::Scalar> {
-        exit_of_union(&mut Active::<P, T> { group: self, solids, views, x, first }, next)
+    fn outlined<A, B>(self, with: A, ask: impl FnOnce(Self, A) -> B) -> B {
+        outlined(self.group, self.solids, self.views, self.x, self.first, with, ask)
     }
 }

@@ -51,10 +51,6 @@ mod sealed {
     pub trait Sealed {}
     impl Sealed for super::Hot {}
     impl Sealed for super::Cold {}
-    impl Sealed for super::WhetherInside {}
-    impl Sealed for super::WholeStep {}
-    impl Sealed for super::NextOfRight {}
-    impl Sealed for super::StepFromLeft {}
 }
 
 impl Path for Hot {
@@ -75,7 +71,7 @@ pub enum Side {
 }
 
 /// The two operands of a boolean operation, on one ray.
-pub trait Operands<S: Scalar> {
+pub trait Operands<S: Scalar>: Sized {
     /// What is done with them.
     fn operation(&self) -> Operation;
 
@@ -88,93 +84,36 @@ pub trait Operands<S: Scalar> {
     /// What lies behind `t` in an operand.
     fn step<P: Path>(&mut self, side: Side, t: S) -> Step<S>;
 
-    /// Asks a question out of line. Implement it to hand over the operands in registers, not in memory.
+    /// Asks out of line. Implement it to hand over the operands in registers, not in memory.
     #[inline(never)]
-    fn outlined<Q: Question>(&mut self, t: S, left: Step<S>) -> Step<S>
-    where
-        Self: Sized,
-    {
-        Q::ask(self, t, left)
-    }
-}
-
-/// A part of the walk that is compiled out of line: see [`Operands::outlined`].
-pub trait Question: sealed::Sealed {
-    #[doc(hidden)]
-    fn ask<S: Scalar>(of: &mut impl Operands<S>, t: S, left: Step<S>) -> Step<S>;
-}
-
-/// Only whether the ray is inside.
-enum WhetherInside {}
-
-/// All of a step.
-enum WholeStep {}
-
-/// The first crossing, where the right operand keeps the ray out of the result.
-enum NextOfRight {}
-
-/// A step of which the left operand's part is known.
-enum StepFromLeft {}
-
-impl Question for WhetherInside {
-    #[inline(always)]
-    fn ask<S: Scalar>(of: &mut impl Operands<S>, t: S, _: Step<S>) -> Step<S> {
-        Step { inside: contains_inlined(of, t), next: Crossing::NEVER }
-    }
-}
-
-impl Question for WholeStep {
-    #[inline(always)]
-    fn ask<S: Scalar>(of: &mut impl Operands<S>, t: S, _: Step<S>) -> Step<S> {
-        step_inlined(of, t)
-    }
-}
-
-impl Question for NextOfRight {
-    #[inline(always)]
-    fn ask<S: Scalar>(of: &mut impl Operands<S>, t: S, _: Step<S>) -> Step<S> {
-        Step { inside: false, next: next_of_right(of, t) }
-    }
-}
-
-impl Question for StepFromLeft {
-    #[inline(always)]
-    fn ask<S: Scalar>(of: &mut impl Operands<S>, t: S, left: Step<S>) -> Step<S> {
-        step_from_left(of, t, left)
+    fn outlined<A, B>(self, with: A, ask: impl FnOnce(Self, A) -> B) -> B {
+        ask(self, with)
     }
 }
 
 /// Any number of united solids, on one ray.
-pub trait Members<S: Scalar> {
+pub trait Members<S: Scalar>: Sized {
     /// Whether there is only one.
     fn is_single(&self) -> bool;
 
     /// What lies behind `t` in all members, [united](Step::unite) in their order.
     fn unite<P: Path>(&mut self, t: S) -> Step<S>;
 
-    /// [`exit_of_union`], out of line. Implement it to hand over the members in registers, not in
-    /// memory.
+    /// Asks out of line. Implement it to hand over the members in registers, not in memory.
     #[inline(never)]
-    fn exit(&mut self, next: Crossing<S>) -> Crossing<S>
-    where
-        Self: Sized,
-    {
-        exit_of_union(self, next)
+    fn outlined<A, B>(self, with: A, ask: impl FnOnce(Self, A) -> B) -> B {
+        ask(self, with)
     }
 }
 
 /// Whether the ray is inside the result just behind `t`.
 #[inline(always)]
-pub fn contains<P: Path, S: Scalar>(of: &mut impl Operands<S>, t: S) -> bool {
-    if P::IS_COLD {
-        of.outlined::<WhetherInside>(t, Step::OUTSIDE).inside
-    } else {
-        contains_inlined(of, t)
-    }
+pub fn contains<P: Path, S: Scalar>(of: impl Operands<S>, t: S) -> bool {
+    if P::IS_COLD { of.outlined(t, contains_inlined) } else { contains_inlined(of, t) }
 }
 
 #[inline(always)]
-fn contains_inlined<S: Scalar>(of: &mut impl Operands<S>, t: S) -> bool {
+fn contains_inlined<S: Scalar>(mut of: impl Operands<S>, t: S) -> bool {
     let operation = of.operation();
     let in_left = of.has(Side::Left) && of.contains::<Hot>(Side::Left, t);
     if operation.contains(in_left, false) == operation.contains(in_left, true) {
@@ -218,22 +157,21 @@ fn contains_inlined<S: Scalar>(of: &mut impl Operands<S>, t: S) -> bool {
 /// }
 ///
 /// // From 0 to 4, less what is from 1 to 2.
-/// let mut of = Two([[0.0, 4.0], [1.0, 2.0]]);
-/// let first = step::<Hot, _>(&mut of, 0.0);
+/// let first = step::<Hot, _>(Two([[0.0, 4.0], [1.0, 2.0]]), 0.0);
 /// assert!(first.inside);
 /// assert_eq!(first.next, Crossing { t: 1.0, face: Face(1) });
 /// ```
 #[inline(always)]
-pub fn step<P: Path, S: Scalar>(of: &mut impl Operands<S>, t: S) -> Step<S> {
-    if P::IS_COLD { of.outlined::<WholeStep>(t, Step::OUTSIDE) } else { step_inlined(of, t) }
+pub fn step<P: Path, S: Scalar>(of: impl Operands<S>, t: S) -> Step<S> {
+    if P::IS_COLD { of.outlined(t, step_inlined) } else { step_inlined(of, t) }
 }
 
 #[inline(always)]
-fn step_inlined<S: Scalar>(of: &mut impl Operands<S>, t: S) -> Step<S> {
+fn step_inlined<S: Scalar>(mut of: impl Operands<S>, t: S) -> Step<S> {
     let operation = of.operation();
     let left = if of.has(Side::Left) { of.step::<Hot>(Side::Left, t) } else { Step::OUTSIDE };
     if left.inside || !operation.needs_left() {
-        return of.outlined::<StepFromLeft>(t, left);
+        return of.outlined(t, |of, t| step_from_left(of, t, left));
     }
     // From outside of the left operand, its first crossing decides in most cases.
     let t = left.next.t;
@@ -244,13 +182,13 @@ fn step_inlined<S: Scalar>(of: &mut impl Operands<S>, t: S) -> Step<S> {
     if operation.contains(true, in_right) {
         return Step { inside: false, next: left.next };
     }
-    of.outlined::<NextOfRight>(t, Step::OUTSIDE)
+    of.outlined(t, |of, t| Step { inside: false, next: next_of_right(of, t) })
 }
 
 /// The first crossing behind `t`, where the ray is inside the left operand and the right one keeps it
 /// out of the result. Only for operations that need the left operand.
 #[inline(always)]
-fn next_of_right<S: Scalar>(of: &mut impl Operands<S>, mut t: S) -> Crossing<S> {
+fn next_of_right<S: Scalar>(mut of: impl Operands<S>, mut t: S) -> Crossing<S> {
     let operation = of.operation();
     if !of.has(Side::Right) {
         return Crossing::NEVER;
@@ -280,7 +218,7 @@ fn next_of_right<S: Scalar>(of: &mut impl Operands<S>, mut t: S) -> Crossing<S> 
 
 /// What lies behind `t`, where that is known of the left operand.
 #[inline(always)]
-fn step_from_left<S: Scalar>(of: &mut impl Operands<S>, mut t: S, mut left: Step<S>) -> Step<S> {
+fn step_from_left<S: Scalar>(mut of: impl Operands<S>, mut t: S, mut left: Step<S>) -> Step<S> {
     let operation = of.operation();
     let counts = |left: &Step<S>| left.inside || !operation.needs_left();
     let has_right = of.has(Side::Right);
@@ -318,24 +256,26 @@ fn step_from_left<S: Scalar>(of: &mut impl Operands<S>, mut t: S, mut left: Step
 
 /// What lies behind `t` in the union of all members.
 #[inline(always)]
-pub fn step_of_union<P: Path, S: Scalar>(of: &mut impl Members<S>, t: S) -> Step<S> {
+pub fn step_of_union<P: Path, S: Scalar>(mut of: impl Members<S>, t: S) -> Step<S> {
     let all = of.unite::<P>(t);
     // From outside of all members, the first that is entered decides.
-    if all.inside { Step { next: of.exit(all.next), ..all } } else { all }
+    if all.inside { Step { next: exit_of_union(of, all.next), ..all } } else { all }
 }
 
 /// The first crossing from `next` on behind which the ray is outside of all members.
 #[inline(always)]
-pub fn exit_of_union<S: Scalar>(of: &mut impl Members<S>, mut next: Crossing<S>) -> Crossing<S> {
-    if of.is_single() {
-        return next;
-    }
-    while next.t < S::HIGHEST {
-        let all = of.unite::<Cold>(next.t);
-        if !all.inside {
-            break;
+pub fn exit_of_union<S: Scalar>(of: impl Members<S>, next: Crossing<S>) -> Crossing<S> {
+    of.outlined(next, |mut of, mut next| {
+        if of.is_single() {
+            return next;
         }
-        next = all.next;
-    }
-    next
+        while next.t < S::HIGHEST {
+            let all = of.unite::<Cold>(next.t);
+            if !all.inside {
+                break;
+            }
+            next = all.next;
+        }
+        next
+    })
 }

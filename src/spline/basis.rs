@@ -12,7 +12,7 @@
 //! Approximation Theory 6 (1972); the derivative is (4) of section X of his *A Practical Guide to
 //! Splines* (1978). All terms of a value are positive, so nothing cancels.
 
-use super::knots::{Knots, span};
+use super::knots::Knots;
 use super::scalar::SplineScalar;
 use crate::scalar::Scalar;
 
@@ -89,7 +89,7 @@ impl<S: SplineScalar, const K: usize, const N: usize> Knots<S, K, N> {
     #[must_use]
     pub fn non_zero_derivatives(&self, order: usize, t: S) -> Option<NonZero<S, K>> {
         let knots = self.as_slice();
-        let span = span(knots, t)?;
+        let span = self.span(t)?;
         // The functions span − K + 1 to span, as far as they exist.
         let (first, skip) = match (span + 1).checked_sub(K) {
             Some(first) => (first, 0),
@@ -112,12 +112,7 @@ fn triangle<S: SplineScalar, const K: usize>(
     if order >= K {
         return [S::ZERO; K];
     }
-    let ends = (knots.first().copied().unwrap_or(t), knots.last().copied().unwrap_or(t));
-    // low[i] = t_{span−i}, high[i] = t_{span+1+i}
-    let low: [S; K] = core::array::from_fn(|i| {
-        span.checked_sub(i).and_then(|i| knots.get(i)).copied().unwrap_or(ends.0)
-    });
-    let high: [S; K] = core::array::from_fn(|i| knots.get(span + 1 + i).copied().unwrap_or(ends.1));
+    let knot = |i: usize| knots.get(i).or(knots.last()).copied().unwrap_or(t);
     // The functions of a level in descending order: functions[i] is N_{span−i, level}.
     let mut functions = [S::NONE; K];
     if let Some(first) = functions.first_mut() {
@@ -127,20 +122,20 @@ fn triangle<S: SplineScalar, const K: usize>(
         let differs = level >= K - order;
         // What a function gives to its right neighbour's place: none to the very first.
         let mut from_right = S::NONE;
-        for (i, function) in functions.iter_mut().enumerate().take(level + 1) {
+        for (i, function) in functions.iter_mut().enumerate().take(level) {
             // N_{span−i, level}, whose knots are t_{span−i} to t_{span−i+level}.
-            let x = *function;
-            let low = low.get(i).copied().unwrap_or(ends.0);
-            let high = level.checked_sub(i + 1).and_then(|i| high.get(i)).copied();
-            let high = high.unwrap_or(low);
-            let (own, left) = if differs {
-                let slope = S::climb(x, level as u16, low, high);
-                (slope, S::negate_weight(slope))
+            let (x, ends) = (*function, [knot(span.saturating_sub(i)), knot(span + level - i)]);
+            let [own, left] = if differs {
+                let slope = S::climb(x, level as u16, ends);
+                [slope, -slope]
             } else {
-                (S::rise(x, t, low, high), S::fall(x, t, low, high))
+                S::split(x, t, ends)
             };
             *function = S::add_weights(own, from_right);
             from_right = left;
+        }
+        if let Some(last) = functions.get_mut(level) {
+            *last = S::add_weights(S::NONE, from_right);
         }
     }
     functions.reverse();

@@ -47,11 +47,6 @@ impl<S: SplineScalar> Domain<S> {
         if self.contains(t) {
             return Ok(t);
         }
-        self.place_outside(t, outside)
-    }
-
-    #[inline]
-    fn place_outside(&self, t: S, outside: Outside) -> Result<S, EvaluateError> {
         if !t.is_finite() {
             return Err(EvaluateError::NotFinite);
         }
@@ -59,12 +54,8 @@ impl<S: SplineScalar> Domain<S> {
             Outside::Error => Err(EvaluateError::Outside),
             Outside::Clamp => Ok(if t < self.from { self.from } else { self.to }),
             Outside::Extrapolate => Ok(t),
-            Outside::Wrap => {
-                if !t.minus(self.from).is_finite() {
-                    return Err(EvaluateError::Overflow);
-                }
-                Ok(S::wrap(t, self.from, self.to))
-            }
+            Outside::Wrap if !t.minus(self.from).is_finite() => Err(EvaluateError::Overflow),
+            Outside::Wrap => Ok(S::wrap(t, self.from, self.to)),
         }
     }
 }

@@ -36,8 +36,6 @@ mod basis;
 mod curve;
 mod domain;
 mod error;
-#[cfg(feature = "defmt")]
-mod format;
 mod knots;
 mod point;
 mod scalar;
@@ -48,7 +46,7 @@ pub use basis::NonZero;
 pub use curve::Curve;
 pub use curve::flatten::{Flatten, Lengths, Vertex};
 pub use domain::{Domain, Outside};
-pub use error::{CurveError, EvaluateError, FlattenError, InsertError, KnotError, SweepError};
+pub use error::{CurveError, EvaluateError, FlattenError, KnotError, SweepError};
 pub use knots::Knots;
 pub use point::Point;
 pub use scalar::SplineScalar;

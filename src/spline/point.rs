@@ -1,8 +1,9 @@
 //! What control points can be: numbers and vectors.
 
 use super::error::EvaluateError;
-use super::scalar::SplineScalar;
+use super::scalar::{Arithmetic, SplineScalar};
 use crate::geom::Vec3;
+use crate::scalar::Number;
 use core::fmt::Debug;
 
 /// A control point, and a point of a curve: a number, a [`Vec3`], or an array of coordinates.
@@ -27,112 +28,70 @@ pub trait Point: Copy + Debug + PartialEq + sealed::Sealed {
     #[doc(hidden)]
     fn from_coordinates(coordinates: Self::Array<Self::Scalar>) -> Self;
 
+    /// The same for each coordinate.
     #[doc(hidden)]
-    fn map<T, U>(array: Self::Array<T>, of: impl Fn(T) -> U) -> Self::Array<U>
-    where
-        T: Copy + Debug + PartialEq,
-        U: Copy + Debug + PartialEq;
+    fn filled<T: Copy + Debug + PartialEq>(with: T) -> Self::Array<T>;
 }
 
 mod sealed {
     pub trait Sealed {}
 }
 
-impl<S: SplineScalar> sealed::Sealed for S {}
-impl<S: SplineScalar> sealed::Sealed for Vec3<S> {}
-impl<S: SplineScalar, const D: usize> sealed::Sealed for [S; D] {}
+macro_rules! points {
+    ($([$($generics:tt)*] $Point:ty, $D:expr, $origin:expr, $coordinates:expr, $point:expr;)+) => {$(
+        impl<S: SplineScalar, $($generics)*> sealed::Sealed for $Point {}
 
-impl<S: SplineScalar> Point for S {
-    type Scalar = S;
-    type Array<T: Copy + Debug + PartialEq + 'static> = [T; 1];
+        impl<S: SplineScalar, $($generics)*> Point for $Point {
+            type Scalar = S;
+            type Array<T: Copy + Debug + PartialEq + 'static> = [T; $D];
 
-    const ORIGIN: Self = S::ZERO;
+            const ORIGIN: Self = $origin;
 
-    #[inline]
-    fn coordinates(self) -> [S; 1] {
-        [self]
-    }
+            #[inline]
+            fn coordinates(self) -> [S; $D] {
+                $coordinates(self)
+            }
 
-    #[inline]
-    fn from_coordinates([x]: [S; 1]) -> Self {
-        x
-    }
+            #[inline]
+            fn from_coordinates(coordinates: [S; $D]) -> Self {
+                $point(coordinates)
+            }
 
-    #[inline]
-    fn map<T, U>(array: [T; 1], of: impl Fn(T) -> U) -> [U; 1]
-    where
-        T: Copy + Debug + PartialEq + 'static,
-        U: Copy + Debug + PartialEq + 'static,
-    {
-        array.map(of)
-    }
+            #[inline]
+            fn filled<T: Copy + Debug + PartialEq + 'static>(with: T) -> [T; $D] {
+                [with; $D]
+            }
+        }
+    )+};
 }
 
-impl<S: SplineScalar> Point for Vec3<S> {
-    type Scalar = S;
-    type Array<T: Copy + Debug + PartialEq + 'static> = [T; 3];
-
-    const ORIGIN: Self = Self::ZERO;
-
-    #[inline]
-    fn coordinates(self) -> [S; 3] {
-        self.to_array()
-    }
-
-    #[inline]
-    fn from_coordinates(coordinates: [S; 3]) -> Self {
-        coordinates.into()
-    }
-
-    #[inline]
-    fn map<T, U>(array: [T; 3], of: impl Fn(T) -> U) -> [U; 3]
-    where
-        T: Copy + Debug + PartialEq + 'static,
-        U: Copy + Debug + PartialEq + 'static,
-    {
-        array.map(of)
-    }
-}
-
-impl<S: SplineScalar, const D: usize> Point for [S; D] {
-    type Scalar = S;
-    type Array<T: Copy + Debug + PartialEq + 'static> = [T; D];
-
-    const ORIGIN: Self = [S::ZERO; D];
-
-    #[inline]
-    fn coordinates(self) -> [S; D] {
-        self
-    }
-
-    #[inline]
-    fn from_coordinates(coordinates: [S; D]) -> Self {
-        coordinates
-    }
-
-    #[inline]
-    fn map<T, U>(array: [T; D], of: impl Fn(T) -> U) -> [U; D]
-    where
-        T: Copy + Debug + PartialEq + 'static,
-        U: Copy + Debug + PartialEq + 'static,
-    {
-        array.map(of)
-    }
+points! {
+    [] S, 1, S::ZERO, |x| [x], |[x]: [S; 1]| x;
+    [] Vec3<S>, 3, Self::ZERO, Vec3::to_array, Vec3::from;
+    [const D: usize] [S; D], D, [S::ZERO; D], |array| array, |array| array;
 }
 
 /// The coordinates of a point inside of an evaluation.
-pub(super) type Inner<P> = <P as Point>::Array<<<P as Point>::Scalar as SplineScalar>::Inner>;
+pub(super) type Inner<P> = <P as Point>::Array<<<P as Point>::Scalar as Arithmetic>::Inner>;
 
 /// A point inside of an evaluation.
 #[inline]
 pub(super) fn inner<P: Point>(point: P) -> Inner<P> {
-    P::map(point.coordinates(), P::Scalar::inner)
+    let mut inner = P::filled(P::Scalar::ZERO.inner());
+    for (inner, x) in inner.as_mut().iter_mut().zip(point.coordinates().as_ref()) {
+        *inner = x.inner();
+    }
+    inner
 }
 
 /// A point after an evaluation.
 #[inline]
 pub(super) fn outer<P: Point>(point: Inner<P>) -> P {
-    P::from_coordinates(P::map(point, P::Scalar::outer))
+    let mut outer = P::ORIGIN.coordinates();
+    for (outer, x) in outer.as_mut().iter_mut().zip(point.as_ref()) {
+        *outer = P::Scalar::outer(*x);
+    }
+    P::from_coordinates(outer)
 }
 
 /// Every coordinate of one point changed with that of another one.
@@ -141,9 +100,9 @@ pub(super) fn combine<P: Point>(
     point: &mut Inner<P>,
     other: Inner<P>,
     with: impl Fn(
-        <P::Scalar as SplineScalar>::Inner,
-        <P::Scalar as SplineScalar>::Inner,
-    ) -> <P::Scalar as SplineScalar>::Inner,
+        <P::Scalar as Arithmetic>::Inner,
+        <P::Scalar as Arithmetic>::Inner,
+    ) -> <P::Scalar as Arithmetic>::Inner,
 ) {
     for (x, other) in point.as_mut().iter_mut().zip(other.as_ref()) {
         *x = with(*x, *other);

@@ -4,7 +4,7 @@ use scancsg::constant;
 use scancsg::geom::{Vec3, vec3};
 use scancsg::scalar::I16F16;
 use scancsg::spline::{
-    Baked, Curve, CurveError, EvaluateError, FlattenError, InsertError, KnotError, Knots, Outside,
+    Baked, Curve, CurveError, EvaluateError, FlattenError, KnotError, Knots, Outside,
 };
 
 type Quadratic = Knots<f32, 3, 8>;
@@ -102,15 +102,15 @@ fn bad_curves() {
     assert_eq!(path.value(1.5, Outside::Clamp), Ok([5.0, 6.0]));
     assert_eq!(path.value(-1.5, Outside::Clamp), Ok([0.0, 0.0]));
     assert_eq!(path.value(1e30, Outside::Extrapolate), Err(EvaluateError::Overflow));
-    assert_eq!(path.insert(f32::NAN), Err(InsertError::NotFinite));
-    assert_eq!(path.insert(2.0), Err(InsertError::Outside));
-    assert_eq!(path.insert(0.5), Err(InsertError::Full));
+    assert_eq!(path.insert(f32::NAN), Err(KnotError::NotFinite));
+    assert_eq!(path.insert(2.0), Err(KnotError::Outside));
+    assert_eq!(path.insert(0.5), Err(KnotError::TooMany));
     for tolerance in [0.0, -1.0, f32::NAN, f32::INFINITY] {
         assert_eq!(path.flatten(tolerance).err(), Some(FlattenError::Tolerance));
         assert_eq!(path.lengths(tolerance).err(), Some(FlattenError::Tolerance));
     }
     let mut roomy = Curve::<[f32; 2], 3, 5, 8>::from_slice(knots, &points).unwrap();
-    assert_eq!(roomy.insert(0.0), Err(InsertError::Multiplicity));
+    assert_eq!(roomy.insert(0.0), Err(KnotError::Multiplicity));
     assert_eq!(roomy.insert(0.5), Ok(()));
 }
 
@@ -126,8 +126,8 @@ fn knots_that_are_rounded_to_the_same_number() {
     let knots = Knots::<f32, 2, 7>::new(&[0.0, 1163.0, 1163.0, 1200.0, 1201.0]).unwrap();
     let mut curve = Curve::<f32, 2, 5, 7>::from_slice(knots, &[0.0; 3]).unwrap();
     let error = curve.insert(1_163.000_017).unwrap_err();
-    assert_eq!(error, InsertError::Multiplicity);
-    assert!(error.to_string().contains("rounds it to another one"), "{error}");
+    assert_eq!(error, KnotError::Multiplicity);
+    assert!(error.to_string().contains("rounds them to the same number"), "{error}");
 }
 
 #[test]

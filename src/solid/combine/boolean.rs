@@ -5,7 +5,7 @@ use crate::scalar::Number;
 use crate::scan::bounds::Bounds;
 use crate::scan::{ColumnRun, Empty, Scan};
 use crate::solid::{Rgb, Solid};
-use crate::span::walk::{self, Operands, Path, Question, Side, Step};
+use crate::span::walk::{self, Operands, Path, Side, Step};
 use crate::span::{Face, Operation, Shape, SpanStack};
 use core::marker::PhantomData;
 
@@ -225,29 +225,24 @@ where
     }
 
     #[inline(always)]
-    fn outlined<Q: Question>(&mut self, t: L::Scalar, left: Step<L::Scalar>) -> Step<L::Scalar> {
+    fn outlined<A, B>(self, with: A, ask: impl FnOnce(Self, A) -> B) -> B {
         let Self { solid, view, row, x, first } = self;
-        solid.outlined::<Q, P>(view, row, *x, t, *first, left)
+        outlined(solid, view, row, x, first, with, ask)
     }
 }
 
-impl<O: Rule, L: Shape, R: Shape<Scalar = L::Scalar>> Boolean<O, L, R> {
-    #[inline(never)]
-    fn outlined<Q: Question, P>(
-        &self,
-        view: &(L::View, R::View),
-        row: &mut BooleanRow<L::Row, R::Row>,
-        x: i32,
-        t: L::Scalar,
-        first: Face,
-        left: Step<L::Scalar>,
-    ) -> Step<L::Scalar>
-    where
-        L: Scan<P>,
-        R: Scan<P>,
-    {
-        Q::ask(&mut OnRay { solid: self, view, row, x, first }, t, left)
-    }
+/// A question out of line. The operands are arguments, not a struct in memory: so they stay in registers.
+#[inline(never)]
+fn outlined<'a, P, O, L: Scan<P>, R: Scan<P>, A, B>(
+    solid: &'a Boolean<O, L, R>,
+    view: &'a (L::View, R::View),
+    row: &'a mut BooleanRow<L::Row, R::Row>,
+    x: i32,
+    first: Face,
+    with: A,
+    ask: impl FnOnce(OnRay<'a, P, O, L, R>, A) -> B,
+) -> B {
+    ask(OnRay { solid, view, row, x, first }, with)
 }
 
 impl<P, O: Rule, L: Scan<P>, R: Scan<P, Scalar = L::Scalar>> Scan<P> for Boolean<O, L, R> {
@@ -289,7 +284,7 @@ impl<P, O: Rule, L: Scan<P>, R: Scan<P, Scalar = L::Scalar>> Scan<P> for Boolean
         x: i32,
         t: Self::Scalar,
     ) -> bool {
-        walk::contains::<H, _>(&mut OnRay { solid: self, view, row, x, first: Face(0) }, t)
+        walk::contains::<H, _>(OnRay { solid: self, view, row, x, first: Face(0) }, t)
     }
 
     #[inline]
@@ -301,7 +296,7 @@ impl<P, O: Rule, L: Scan<P>, R: Scan<P, Scalar = L::Scalar>> Scan<P> for Boolean
         t: Self::Scalar,
         first: Face,
     ) -> Step<Self::Scalar> {
-        walk::step::<H, _>(&mut OnRay { solid: self, view, row, x, first }, t)
+        walk::step::<H, _>(OnRay { solid: self, view, row, x, first }, t)
     }
 }
 

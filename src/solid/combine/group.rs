@@ -3,7 +3,7 @@
 use super::many::Many;
 use crate::geom::{Line, Vec3};
 use crate::scalar::Number;
-use crate::scan::{ColumnRun, GroupRow, Member, Scan, view_each};
+use crate::scan::{Active, ColumnRun, GroupRow, Member, Scan, view_each};
 use crate::solid::{Rgb, Solid};
 use crate::span::walk::{Path, Step};
 use crate::span::{Face, Operation, Shape, SpanStack};
@@ -120,7 +120,8 @@ macro_rules! group {
                 x: i32,
                 t: Self::Scalar,
             ) -> bool {
-                row.as_slice_mut().contains::<H, P, T>(self.as_slice(), view, x, t)
+                let (group, solids) = (row.as_slice_mut(), self.as_slice());
+                Active::<P, T> { group, solids, views: view, x, first: Face(0) }.contains::<H>(t)
             }
 
             #[inline]
@@ -132,7 +133,8 @@ macro_rules! group {
                 t: Self::Scalar,
                 first: Face,
             ) -> Step<Self::Scalar> {
-                row.as_slice_mut().step::<H, P, T>(self.as_slice(), view, x, t, first)
+                let (group, solids) = (row.as_slice_mut(), self.as_slice());
+                Active::<P, T> { group, solids, views: view, x, first }.step::<H>(t)
             }
         }
     };

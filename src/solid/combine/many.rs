@@ -27,21 +27,15 @@ pub struct Many<T, const N: usize> {
     count: usize,
 }
 
-/// Why a [`Many`] can't be made, or added to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum ManyError {
-    /// There is no solid.
-    Empty,
-    /// There are more solids than there is room for.
-    Full,
+crate::error_text! {
+    /// Why a [`Many`] can't be made, or added to.
+    pub enum ManyError {
+        /// There is no solid.
+        Empty => "a union of many solids needs at least one",
+        /// There are more solids than there is room for.
+        Full => "there are more solids than there is room for",
+    }
 }
-
-crate::error_text!(ManyError {
-    Empty => "a union of many solids needs at least one",
-    Full => "there are more solids than there is room for",
-});
 
 impl<T: Copy, const N: usize> Many<T, N> {
     /// A list of one solid.

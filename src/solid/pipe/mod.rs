@@ -69,34 +69,24 @@ pub struct Pipe<S: Scalar, const SEGMENTS: usize> {
     segments: usize,
 }
 
-/// Why a pipe can't be made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum PipeError {
-    /// A coordinate or the radius is infinite or NaN.
-    NotFinite,
-    /// The radius is zero, negative, or not between [`Scalar::MIN_RADIUS`] and [`Scalar::MAX_COORDINATE`].
-    Radius,
-    /// A point is larger than [`Scalar::MAX_COORDINATE`], or is so within two radii, or the radius is lost in
-    /// the rounding of the points.
-    TooFar,
-    /// The pipe has no length: there are not two different points.
-    Empty,
-    /// The tolerance is not positive and finite.
-    Tolerance,
-    /// There are more segments than the type has room for.
-    Capacity,
+crate::error_text! {
+    /// Why a pipe can't be made.
+    pub enum PipeError {
+        /// A coordinate or the radius is infinite or NaN.
+        NotFinite => "a coordinate or the radius of the pipe is infinite or not a number",
+        /// The radius is zero, negative, or not between [`Scalar::MIN_RADIUS`] and [`Scalar::MAX_COORDINATE`].
+        Radius => "the radius of the pipe is not positive, or out of its number type's range",
+        /// A point is larger than [`Scalar::MAX_COORDINATE`], or is so within two radii, or the radius is
+        /// lost in the rounding of the points.
+        TooFar => "the pipe is too far away for its number type",
+        /// The pipe has no length: there are not two different points.
+        Empty => "the pipe has no length: there are not two different points",
+        /// The tolerance is not positive and finite.
+        Tolerance => "the tolerance is not a positive number",
+        /// There are more segments than the type has room for.
+        Capacity => "the pipe needs more segments than there is room for",
+    }
 }
-
-crate::error_text!(PipeError {
-    NotFinite => "a coordinate or the radius of the pipe is infinite or not a number",
-    Radius => "the radius of the pipe is not positive, or out of its number type's range",
-    TooFar => "the pipe is too far away for its number type",
-    Empty => "the pipe has no length: there are not two different points",
-    Tolerance => "the tolerance is not a positive number",
-    Capacity => "the pipe needs more segments than there is room for",
-});
 
 impl<S: Scalar, const SEGMENTS: usize> Pipe<S, SEGMENTS> {
     /// How many segments are used.

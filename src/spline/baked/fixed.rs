@@ -1,10 +1,10 @@
 //! Pieces of baked curves in fixed point: a piece to each span, or to a part of it.
 
+use super::layout::Place;
 use super::piece::Piece;
-use super::polynomial::{Words, ZERO, lane, polynomial, words};
+use super::polynomial::{Words, polynomials, words};
 use crate::scalar::integer::narrow;
 use crate::scalar::{ConstOps, FixedI32, Fraction};
-use crate::spline::error::CurveError;
 use crate::spline::scalar::fixed::FixedMap;
 
 /// How the parameters of a piece become local ones.
@@ -15,12 +15,6 @@ const fn map(start: i32, end: i32) -> FixedMap {
     let half = width.wrapping_shl(shift).div_ceil(2);
     let origin = start.cast_unsigned().wrapping_shl(shift).wrapping_add(half);
     FixedMap { start, origin, shift: shift as u8, guard: 0 }
-}
-
-/// The distance of a knot from the middle, in units of 2^−shift, of which the local parameter 1 has 2³².
-const fn distance(knot: f64, map: FixedMap) -> Words {
-    let steps = knot - map.start as f64;
-    Words::of_sum(steps * (1u64 << map.shift) as f64, -(map.half() as f64))
 }
 
 /// The largest that a sum can be in Horner's rule, with 1 in place of the constant coefficient.
@@ -40,25 +34,20 @@ impl<F: Fraction> ConstOps<FixedI32<F>> {
     ///
     /// It has as many guard bits as the span's coefficients leave room for. Half a unit is added for the
     /// result, whose integer units at the origin are added at the end.
-    #[allow(clippy::type_complexity)]
-    pub(super) const fn piece<const K: usize, const D: usize, const C: usize, const N: usize>(
-        knots: &[f64; N],
-        points: &[[f64; D]; C],
-        (span, [start, stop]): (usize, [f64; 2]),
-    ) -> Result<Piece<FixedMap, [i32; D], [i32; D], K>, CurveError> {
-        let map = map(start as i32, stop as i32);
-        let (mut low, mut high) = ([ZERO; K], [ZERO; K]);
-        let mut i = 0;
-        while i < K {
-            low[i] = distance(knots[span + 1 + i - K], map);
-            high[i] = distance(knots[span + 1 + i], map);
-            i += 1;
-        }
-        let mut polynomials = [[ZERO; K]; D];
+    pub(in crate::spline) const fn piece<const K: usize, const D: usize>(
+        knots: &[f64],
+        points: &[[f64; D]],
+        (span, [start, stop]): Place<FixedI32<F>>,
+    ) -> Option<Piece<FixedMap, [i32; D], [i32; D], K>> {
+        let map = map(start.to_bits(), stop.to_bits());
+        // Distances in units of 2^−shift, of which the local parameter 1 has 2³².
+        let scale = (1u64 << map.shift) as f64;
+        let origin = map.start as f64 * scale + map.half() as f64;
+        let unit = (1u64 << 32) as f64;
+        let polynomials = polynomials::<K, D>(knots, points, span, [scale, origin, unit]);
         let mut most = 1.0f64;
         let mut d = 0;
         while d < D {
-            polynomials[d] = polynomial(low, high, lane(points, span, d), (1u64 << 32) as f64);
             most = most.max(largest(&polynomials[d]));
             d += 1;
         }
@@ -67,7 +56,7 @@ impl<F: Fraction> ConstOps<FixedI32<F>> {
             guard -= 1;
         }
         if guard < 4 && K > 1 {
-            return Err(CurveError::TooFar);
+            return None;
         }
         let (mut coefficients, mut base) = ([[0; D]; K], [0; D]);
         let mut d = 0;
@@ -86,6 +75,6 @@ impl<F: Fraction> ConstOps<FixedI32<F>> {
             }
             d += 1;
         }
-        Ok(Piece { coefficients, map: FixedMap { guard, ..map }, base })
+        Some(Piece { coefficients, map: FixedMap { guard, ..map }, base })
     }
 }

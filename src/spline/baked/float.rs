@@ -3,33 +3,29 @@
 //! All is computed in `f64`, and rounded to `f32` after each operation where that is the number type: so
 //! the bits are those of `f32`.
 
+use super::layout::Place;
 use super::piece::Piece;
-use super::polynomial::{Words, ZERO, lane, polynomial, power, words};
+use super::polynomial::{polynomials, power, words};
 use crate::scalar::ConstOps;
-use crate::spline::error::CurveError;
 use crate::spline::scalar::float::FloatMap;
 
 /// A floating-point type.
 #[derive(Clone, Copy)]
-pub(super) struct Float {
-    pub(super) is_single: bool,
+struct Float {
+    is_single: bool,
     epsilon: f64,
     /// The smallest number with all digits.
     least: f64,
 }
 
-pub(super) const SINGLE: Float =
+const SINGLE: Float =
     Float { is_single: true, epsilon: f32::EPSILON as f64, least: f32::MIN_POSITIVE as f64 };
 
-pub(super) const DOUBLE: Float =
-    Float { is_single: false, epsilon: f64::EPSILON, least: f64::MIN_POSITIVE };
-
-/// Polynomials in all coordinates.
-type FloatPiece<S, const K: usize, const D: usize> = Piece<FloatMap<S>, [S; D], [(); D], K>;
+const DOUBLE: Float = Float { is_single: false, epsilon: f64::EPSILON, least: f64::MIN_POSITIVE };
 
 impl Float {
     /// The nearest number of the type.
-    pub(super) const fn round(self, x: f64) -> f64 {
+    const fn round(self, x: f64) -> f64 {
         if self.is_single { x as f32 as f64 } else { x }
     }
 
@@ -69,44 +65,36 @@ impl Float {
         if moved.is_finite() { moved } else { middle }
     }
 
-    /// The piece of a span from one parameter to another.
+    /// The coefficients of the piece of a span from one parameter to another, and the map to its local ones.
     ///
     /// What rounding leaves of the coefficient of yⁱ is carried to that of yⁱ⁻²: for |y| ≤ h,
     /// yⁱ is (i/4)h²yⁱ⁻² and little else, by Chebyshev's polynomials (Lanczos, *Applied Analysis*,
     /// 1956).
-    const fn piece<const K: usize, const D: usize, const C: usize, const N: usize>(
+    const fn piece<const K: usize, const D: usize>(
         self,
-        knots: &[f64; N],
-        points: &[[f64; D]; C],
+        knots: &[f64],
+        points: &[[f64; D]],
         span: usize,
         [start, stop]: [f64; 2],
-    ) -> FloatPiece<f64, K, D> {
+    ) -> ([[f64; D]; K], FloatMap<f64>) {
         let map = self.map(start, stop);
-        let (mut low, mut high) = ([ZERO; K], [ZERO; K]);
-        let mut i = 0;
-        while i < K {
-            low[i] = Words::of_sum(knots[span + 1 + i - K], map.shift / map.scale);
-            high[i] = Words::of_sum(knots[span + 1 + i], map.shift / map.scale);
-            i += 1;
-        }
+        let distances = [1.0, -map.shift / map.scale, 1.0 / map.scale];
+        let mut polynomials = polynomials::<K, D>(knots, points, span, distances);
         let square = square_of_half(map, [start, stop]);
         let mut coefficients = [[0.0; D]; K];
-        let mut d = 0;
-        while d < D {
-            let mut rest = polynomial(low, high, lane(points, span, d), 1.0 / map.scale);
-            let mut i = K;
-            while i > 0 {
-                i -= 1;
-                let rounded = self.round(rest[i].high);
-                coefficients[K - 1 - i][d] = rounded;
-                if i > 1 {
-                    let left = rest[i].sub(words(rounded));
-                    rest[i - 2] = rest[i - 2].add(left.scaled(i as f64 / 4.0 * square));
-                }
+        let mut i = K * D;
+        while i > 0 {
+            i -= 1;
+            let (power, d) = (i / D, i % D);
+            let rest = &mut polynomials[d];
+            let rounded = self.round(rest[power].high);
+            coefficients[K - 1 - power][d] = rounded;
+            if power > 1 {
+                let left = rest[power].sub(words(rounded));
+                rest[power - 2] = rest[power - 2].add(left.scaled(power as f64 / 4.0 * square));
             }
-            d += 1;
         }
-        Piece { coefficients, map, base: [(); D] }
+        (coefficients, map)
     }
 }
 
@@ -118,31 +106,30 @@ const fn square_of_half(FloatMap { scale, shift }: FloatMap<f64>, [start, stop]:
     if low.min(high) > 0.25 { half * half } else { 0.0 }
 }
 
-impl ConstOps<f64> {
-    pub(super) const fn piece<const K: usize, const D: usize, const C: usize, const N: usize>(
-        knots: &[f64; N],
-        points: &[[f64; D]; C],
-        (span, ends): (usize, [f64; 2]),
-    ) -> Result<FloatPiece<f64, K, D>, CurveError> {
-        Ok(DOUBLE.piece(knots, points, span, ends))
-    }
+macro_rules! pieces {
+    ($($Float:ident $kind:expr;)+) => {$(
+        impl ConstOps<$Float> {
+            /// The piece of a span from one parameter to another.
+            pub(in crate::spline) const fn piece<const K: usize, const D: usize>(
+                knots: &[f64],
+                points: &[[f64; D]],
+                (span, [start, stop]): Place<$Float>,
+            ) -> Option<Piece<FloatMap<$Float>, [$Float; D], [(); D], K>> {
+                let (wide, map) = $kind.piece::<K, D>(knots, points, span, [start as f64, stop as f64]);
+                let mut coefficients = [[0.0; D]; K];
+                let mut i = 0;
+                while i < K * D {
+                    coefficients[i / D][i % D] = wide[i / D][i % D] as $Float;
+                    i += 1;
+                }
+                let map = FloatMap { scale: map.scale as $Float, shift: map.shift as $Float };
+                Some(Piece { coefficients, map, base: [(); D] })
+            }
+        }
+    )+};
 }
 
-impl ConstOps<f32> {
-    pub(super) const fn piece<const K: usize, const D: usize, const C: usize, const N: usize>(
-        knots: &[f64; N],
-        points: &[[f64; D]; C],
-        (span, ends): (usize, [f64; 2]),
-    ) -> Result<FloatPiece<f32, K, D>, CurveError> {
-        let Piece { coefficients: wide, map, base } =
-            SINGLE.piece::<K, D, C, N>(knots, points, span, ends);
-        let mut coefficients = [[0.0; D]; K];
-        let mut i = 0;
-        while i < K * D {
-            coefficients[i / D][i % D] = wide[i / D][i % D] as f32;
-            i += 1;
-        }
-        let map = FloatMap { scale: map.scale as f32, shift: map.shift as f32 };
-        Ok(Piece { coefficients, map, base })
-    }
+pieces! {
+    f32 SINGLE;
+    f64 DOUBLE;
 }

@@ -1,17 +1,17 @@
 //! Curves as polynomials, piece by piece.
 
-mod bake;
 mod fixed;
 mod float;
 mod layout;
 pub(super) mod piece;
 mod polynomial;
-mod search;
+pub(super) mod search;
 
 use super::domain::{Domain, Outside};
 use super::error::EvaluateError;
 use super::point::{Point, direction};
-use super::scalar::SplineScalar;
+use super::scalar::order::Ordered;
+use super::scalar::{Arithmetic, SplineScalar};
 use crate::geom::Vec3;
 use piece::PieceOf;
 
@@ -26,17 +26,17 @@ use piece::PieceOf;
 pub struct Baked<P: Point, const K: usize, const SPANS: usize> {
     /// Where the pieces start: a [tree](search). Keys are counted from `outside` on, so that all parameters
     /// outside of the domain are before those inside.
-    nodes: Pieces<P, [Key<P>; 2], SPANS>,
+    pub(super) nodes: Pieces<P, [Key<P>; 2], SPANS>,
     /// The key behind that of the end.
-    outside: Key<P>,
-    from: Key<P>,
-    end: Key<P>,
-    pieces: Pieces<P, PieceOf<P, K>, SPANS>,
+    pub(super) outside: Key<P>,
+    pub(super) from: Key<P>,
+    pub(super) end: Key<P>,
+    pub(super) pieces: Pieces<P, PieceOf<P, K>, SPANS>,
 }
 
-type Key<P> = <<P as Point>::Scalar as SplineScalar>::Key;
+type Key<P> = <<P as Point>::Scalar as Ordered>::Key;
 
-type Pieces<P, T, const SPANS: usize> = <<P as Point>::Scalar as SplineScalar>::Pieces<T, SPANS>;
+type Pieces<P, T, const SPANS: usize> = <<P as Point>::Scalar as Arithmetic>::Pieces<T, SPANS>;
 
 impl<P: Point, const K: usize, const SPANS: usize> Baked<P, K, SPANS> {
     /// The parameters of the curve.
@@ -129,5 +129,12 @@ impl<S: SplineScalar, const K: usize, const SPANS: usize> Baked<Vec3<S>, K, SPAN
     /// is zero.
     pub fn tangent(&self, t: S, outside: Outside) -> Result<Vec3<S::Unit>, EvaluateError> {
         direction(self.derivative(1, t, outside)?)
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<P: Point, const K: usize, const SPANS: usize> defmt::Format for Baked<P, K, SPANS> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "Baked of {} spans, order {}, {}", SPANS, K, self.domain());
     }
 }

@@ -1,10 +1,9 @@
 //! A piece of a baked curve: polynomials of all coordinates, and Horner's rule.
 
 use crate::spline::point::Point;
-use crate::spline::scalar::SplineScalar;
+use crate::spline::scalar::Arithmetic;
 
 /// The polynomials of a span, or of a part of it.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Piece<LocalMap, Row, Bases, const K: usize> {
     /// A row for each power, of the highest one first.
@@ -15,9 +14,9 @@ pub struct Piece<LocalMap, Row, Bases, const K: usize> {
 
 /// The piece of a curve of points of a kind.
 pub(super) type PieceOf<P, const K: usize> = Piece<
-    <<P as Point>::Scalar as SplineScalar>::LocalMap,
-    <P as Point>::Array<<<P as Point>::Scalar as SplineScalar>::Coefficient>,
-    <P as Point>::Array<<<P as Point>::Scalar as SplineScalar>::Base>,
+    <<P as Point>::Scalar as Arithmetic>::LocalMap,
+    <P as Point>::Array<<<P as Point>::Scalar as Arithmetic>::Coefficient>,
+    <P as Point>::Array<<<P as Point>::Scalar as Arithmetic>::Base>,
     K,
 >;
 

@@ -15,32 +15,47 @@ use crate::scalar::Double;
 pub(super) type Words = Double<f64>;
 
 /// 0.
-pub(super) const ZERO: Words = Words { high: 0.0, low: 0.0 };
+const ZERO: Words = Words { high: 0.0, low: 0.0 };
 
 pub(super) const fn words(high: f64) -> Words {
     Words { high, low: 0.0 }
 }
 
-/// One coordinate of the control points of a span.
-pub(super) const fn lane<const K: usize, const D: usize>(
+/// The [polynomials](polynomial) of all coordinates on a span. Distances from the origin are
+/// `t·scale − origin`.
+pub(super) const fn polynomials<const K: usize, const D: usize>(
+    knots: &[f64],
     points: &[[f64; D]],
     span: usize,
-    d: usize,
-) -> [f64; K] {
-    let mut lane = [0.0; K];
+    [scale, origin, unit]: [f64; 3],
+) -> [[Words; K]; D] {
+    let (mut low, mut high) = ([ZERO; K], [ZERO; K]);
+    let mut lanes = [[0.0; K]; D];
     let mut i = 0;
     while i < K {
-        lane[i] = points[span + 1 + i - K][d];
+        low[i] = Words::of_sum(knots[span + 1 + i - K] * scale, -origin);
+        high[i] = Words::of_sum(knots[span + 1 + i] * scale, -origin);
+        let mut d = 0;
+        while d < D {
+            lanes[d][i] = points[span + 1 + i - K][d];
+            d += 1;
+        }
         i += 1;
     }
-    lane
+    let mut polynomials = [[ZERO; K]; D];
+    let mut d = 0;
+    while d < D {
+        polynomials[d] = polynomial(low, high, lanes[d], unit);
+        d += 1;
+    }
+    polynomials
 }
 
 /// The polynomial of a span as coefficients of 1, y, y² and so on, where y·`unit` is the
 /// distance from the point that knots are measured from.
 ///
 /// `low` holds t_{j−k+1} … t_j and `high` t_{j+1} … t_{j+k}; `points` the span's control points.
-pub(super) const fn polynomial<const K: usize>(
+const fn polynomial<const K: usize>(
     low: [Words; K],
     high: [Words; K],
     points: [f64; K],

@@ -7,7 +7,7 @@
 //! (Eytzinger's order of a table: Khuong and Morin, *Array Layouts for Comparison-Based Searching*, 2017.)
 
 /// How many levels of nodes there are for so many elements and the leaf before them.
-pub(super) const fn levels(count: usize) -> u32 {
+pub(in crate::spline) const fn levels(count: usize) -> u32 {
     usize::BITS - count.leading_zeros()
 }
 
@@ -17,7 +17,7 @@ pub(super) const fn first(count: usize) -> usize {
 }
 
 /// The element that begins to the right of a node, of so many.
-pub(super) const fn element(node: usize, count: usize) -> Option<usize> {
+pub(in crate::spline) const fn element(node: usize, count: usize) -> Option<usize> {
     let (level, levels) = (node.ilog2(), levels(count));
     let leaf = (2 * node + 1) << (levels - 1 - level);
     leaf.checked_sub(first(count))

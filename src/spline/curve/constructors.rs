@@ -1,37 +1,17 @@
-//! Constructors of curves, for constants: one set for each kind of points.
+//! Constructors of curves, and of baked ones, for constants: one set for each kind of points.
 
 use super::Curve;
 use crate::geom::Vec3;
 use crate::scalar::{ConstOps, FixedI32, Fraction};
+use crate::spline::baked::{Baked, search};
 use crate::spline::error::CurveError;
 use crate::spline::knots::Knots;
-use crate::spline::scalar::constant::{NOT_FINITE, repeated};
-
-/// Whether so many points, whose coordinates have these keys, are control points.
-const fn check<const D: usize>(
-    points: &[[i64; D]],
-    count: usize,
-    [lowest, highest]: [i64; 2],
-) -> Result<(), CurveError> {
-    if count > points.len() {
-        return Err(CurveError::PointCount);
-    }
-    let mut i = 0;
-    while i < count * D {
-        let key = points[i / D][i % D];
-        if key == NOT_FINITE {
-            return Err(CurveError::NotFinite);
-        }
-        if key < lowest || highest < key {
-            return Err(CurveError::TooFar);
-        }
-        i += 1;
-    }
-    Ok(())
-}
+use crate::spline::point::Point;
+use crate::spline::scalar::constant::repeated;
+use crate::spline::scalar::order::Ordered;
 
 macro_rules! constructors {
-    ([$($generics:tt)*] $Scalar:ty, $Point:ty, $D:expr, $zero:expr, |$point:ident| $coordinates:expr) => {
+    ([$($generics:tt)*] $Scalar:ty, $Point:ty, $D:expr, $PIECES:literal, |$point:ident| $coordinates:expr) => {
         impl<$($generics)* const K: usize, const C: usize, const N: usize> Curve<$Point, K, C, N> {
             /// A curve over these knots, with these control points: as many as there are knots,
             /// less the order.
@@ -43,10 +23,7 @@ macro_rules! constructors {
                 knots: Knots<$Scalar, K, N>,
                 points: [$Point; C],
             ) -> Result<Self, CurveError> {
-                if knots.points() != C {
-                    return Err(CurveError::PointCount);
-                }
-                Self::checked(knots, points)
+                Self::repeating(knots, &points, C)
             }
 
             /// A curve over these knots, with these control points; there may be room for more.
@@ -57,10 +34,7 @@ macro_rules! constructors {
                 knots: Knots<$Scalar, K, N>,
                 points: &[$Point],
             ) -> Result<Self, CurveError> {
-                if points.len() != knots.points() {
-                    return Err(CurveError::PointCount);
-                }
-                Self::checked(knots, repeated(points, points.len(), $zero))
+                Self::repeating(knots, points, points.len())
             }
 
             /// A closed curve over [periodic](Knots::periodic) knots, with a control point for
@@ -73,20 +47,32 @@ macro_rules! constructors {
                 knots: Knots<$Scalar, K, N>,
                 points: &[$Point],
             ) -> Result<Self, CurveError> {
-                if points.is_empty() || points.len() + K - 1 != knots.points() {
-                    return Err(CurveError::PointCount);
-                }
-                Self::checked(knots, repeated(points, knots.points(), $zero))
+                Self::repeating(knots, points, points.len() + K - 1)
             }
 
-            const fn checked(
+            /// A curve with so many control points, which are these over and over again.
+            const fn repeating(
                 knots: Knots<$Scalar, K, N>,
-                points: [$Point; C],
+                points: &[$Point],
+                count: usize,
             ) -> Result<Self, CurveError> {
-                let count = knots.points();
-                let keys = Self::keys(&points);
-                if let Err(error) = check(&keys, count, ConstOps::<$Scalar>::REACH) {
-                    return Err(error);
+                if points.is_empty() || count != knots.points() || count > C {
+                    return Err(CurveError::PointCount);
+                }
+                let [lowest, highest] = <$Scalar as Ordered>::RANGE;
+                let points = repeated(points, 0, count, <$Point as Point>::ORIGIN);
+                let rows = Self::rows(&points);
+                let mut rest = rows.as_flattened();
+                while let [x, others @ ..] = rest {
+                    if !ConstOps::<$Scalar>::is_finite(*x) {
+                        return Err(CurveError::NotFinite);
+                    }
+                    if ConstOps::<$Scalar>::is_below(*x, lowest)
+                        || ConstOps::<$Scalar>::is_below(highest, *x)
+                    {
+                        return Err(CurveError::TooFar);
+                    }
+                    rest = others;
                 }
                 if count < K || knots.spans() == 0 {
                     return Err(CurveError::Empty);
@@ -94,34 +80,91 @@ macro_rules! constructors {
                 Ok(Self { knots, points })
             }
 
-            /// The keys of all coordinates.
-            pub(in crate::spline) const fn keys(points: &[$Point; C]) -> [[i64; $D]; C] {
-                let mut keys = [[0; $D]; C];
+            /// The coordinates of all points.
+            const fn rows(points: &[$Point; C]) -> [[$Scalar; $D]; C] {
+                let mut rows = [[ConstOps::<$Scalar>::ZERO; $D]; C];
                 let mut i = 0;
                 while i < C {
                     let $point = points[i];
-                    keys[i] = ConstOps::<$Scalar>::keys(&$coordinates);
+                    rows[i] = $coordinates;
                     i += 1;
                 }
-                keys
+                rows
+            }
+
+            /// The curve's polynomials, for a constant: they don't follow when a control point is
+            /// moved.
+            ///
+            /// With twice as many `SPANS` as the curve has, each is divided into two polynomials,
+            /// and so on: rounding errors become smaller, and in fixed point there is room for control
+            /// points that are farther apart.
+            ///
+            /// # Errors
+            /// [`CurveError::SpanCount`] unless `SPANS` is the number of the curve's spans, or a
+            /// multiple of it;
+            /// [`CurveError::TooFar`] in fixed point, if a span goes so far that fewer than four
+            /// guard bits are left. In `I16F16`, control points of a cubic within 25 units of some
+            /// place always are near enough. That is for those that alternate, over spans of a power of
+            /// two; most have room for some hundreds, and over halves of a span also those for 200.
+            pub const fn bake<const SPANS: usize>(
+                &self,
+            ) -> Result<Baked<$Point, K, SPANS>, CurveError> {
+                let places = match self.knots.places::<$PIECES, SPANS>() {
+                    Ok(places) => places,
+                    Err(error) => return Err(error),
+                };
+                let places = places.as_flattened();
+                let (mut knots, mut points) = ([0.0; N], [[0.0; $D]; C]);
+                let mut i = 0;
+                while i < N {
+                    knots[i] = ConstOps::<$Scalar>::units(self.knots.knots[i]);
+                    i += 1;
+                }
+                let rows = Self::rows(&self.points);
+                let mut i = 0;
+                while i < C * $D {
+                    let x = rows.as_flattened()[i];
+                    points.as_flattened_mut()[i] = ConstOps::<$Scalar>::units(x);
+                    i += 1;
+                }
+                let first = ConstOps::<$Scalar>::piece(&knots, &points, places[0]);
+                let Some(first) = first else { return Err(CurveError::TooFar) };
+                let mut pieces = [[first; $PIECES]; SPANS];
+                let mut i = 1;
+                while i < places.len() {
+                    let piece = ConstOps::<$Scalar>::piece(&knots, &points, places[i]);
+                    let Some(piece) = piece else { return Err(CurveError::TooFar) };
+                    pieces.as_flattened_mut()[i] = piece;
+                    i += 1;
+                }
+                let from = ConstOps::<$Scalar>::first_key(places[0].1[0]);
+                let end = ConstOps::<$Scalar>::last_key(places[places.len() - 1].1[1]);
+                let outside = end.wrapping_add(1);
+                let mut nodes = [[[0; 2]; $PIECES]; SPANS];
+                let mut node = 1;
+                while node < 1 << search::levels(places.len()) {
+                    if let Some(i) = search::element(node, places.len()) {
+                        let key = ConstOps::<$Scalar>::first_key(places[i].1[0]);
+                        nodes.as_flattened_mut().as_flattened_mut()[node] = key.wrapping_sub(outside);
+                    }
+                    node += 1;
+                }
+                Ok(Baked { nodes, outside, from, end, pieces })
             }
         }
     };
 }
 
 macro_rules! kinds {
-    ($([$($generics:tt)*] $Scalar:ty, $zero:expr;)+) => {$(
-        constructors!([$($generics)*] $Scalar, $Scalar, 1, $zero, |x| [x]);
-        constructors!(
-            [$($generics)*] $Scalar, Vec3<$Scalar>, 3, Vec3::new($zero, $zero, $zero),
-            |point| point.to_array()
-        );
-        constructors!([$($generics)* const D: usize,] $Scalar, [$Scalar; D], D, [$zero; D], |point| point);
+    ($([$($generics:tt)*] $Scalar:ty, $PIECES:literal;)+) => {$(
+        constructors!([$($generics)*] $Scalar, $Scalar, 1, $PIECES, |x| [x]);
+        constructors!([$($generics)*] $Scalar, Vec3<$Scalar>, 3, $PIECES, |point| point.to_array());
+        constructors!([$($generics)* const D: usize,] $Scalar, [$Scalar; D], D, $PIECES, |point| point);
     )+};
 }
 
 kinds! {
-    [] f32, 0.0;
-    [] f64, 0.0;
-    [F: Fraction,] FixedI32<F>, FixedI32::from_bits(0);
+    [] f32, 3;
+    [] f64, 3;
+    [F: Fraction,] FixedI32<F>, 1;
 }

@@ -5,10 +5,11 @@ use super::triangle::{on_span, polar};
 use crate::scalar::{Number, Real, Scalar};
 use crate::spline::error::FlattenError;
 use crate::spline::point::{Inner, Point, combine, inner, outer};
-use crate::spline::scalar::SplineScalar;
+use crate::spline::scalar::Arithmetic;
 
 /// A point of a curve, and where it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Vertex<P: Point> {
     /// The parameter.
     pub t: P::Scalar,
@@ -19,30 +20,30 @@ pub struct Vertex<P: Point> {
 /// The vertices of a polyline that approximates a curve: see [`Curve::flatten`].
 #[derive(Debug, Clone)]
 pub struct Flatten<'a, P: Point, const K: usize> {
-    pub(in crate::spline) vertices: Vertices<'a, P, K>,
+    vertices: Vertices<'a, P, K>,
 }
 
 /// The lengths of a curve from its beginning up to the vertices of a polyline: see
 /// [`Curve::lengths`].
 #[derive(Debug, Clone)]
 pub struct Lengths<'a, P: Point, const K: usize> {
-    pub(in crate::spline) vertices: Vertices<'a, P, K>,
+    vertices: Vertices<'a, P, K>,
     last: Option<Inner<P>>,
-    length: <P::Scalar as SplineScalar>::Inner,
+    length: <P::Scalar as Arithmetic>::Inner,
     /// What its sums lost by rounding.
-    rest: <P::Scalar as SplineScalar>::Inner,
+    rest: <P::Scalar as Arithmetic>::Inner,
 }
 
 /// From vertex to vertex.
 #[derive(Debug, Clone)]
-pub(in crate::spline) struct Vertices<'a, P: Point, const K: usize> {
+struct Vertices<'a, P: Point, const K: usize> {
     knots: &'a [P::Scalar],
     points: &'a [P],
     /// How far the curve may be from a chord.
-    tolerance: <P::Scalar as SplineScalar>::Inner,
+    tolerance: <P::Scalar as Arithmetic>::Inner,
     /// Where the last vertex is, and the span behind it.
-    pub(in crate::spline) t: P::Scalar,
-    pub(in crate::spline) span: usize,
+    t: P::Scalar,
+    span: usize,
     /// The last vertex; none at the beginning, behind a jump and at the end.
     last: Option<Inner<P>>,
     /// The length of the last piece in the parameter; 0 before there is one.
@@ -104,8 +105,8 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
     /// # Errors
     /// [`FlattenError::Tolerance`] unless the tolerance is positive and finite.
     pub fn lengths(&self, tolerance: P::Scalar) -> Result<Lengths<'_, P, K>, FlattenError> {
-        let vertices = self.vertices(tolerance)?;
-        Ok(Lengths { vertices, last: None, length: P::Scalar::NOTHING, rest: P::Scalar::NOTHING })
+        let (vertices, nothing) = (self.vertices(tolerance)?, P::Scalar::ZERO.inner());
+        Ok(Lengths { vertices, last: None, length: nothing, rest: nothing })
     }
 
     fn vertices(&self, tolerance: P::Scalar) -> Result<Vertices<'_, P, K>, FlattenError> {
@@ -261,30 +262,31 @@ fn cut<P: Point, const K: usize>(rest: &mut [Inner<P>; K], parts: u8) -> [Inner<
 struct Chord<P: Point> {
     from: Inner<P>,
     way: Inner<P>,
-    length: <P::Scalar as SplineScalar>::Inner,
-    tolerance: <P::Scalar as SplineScalar>::Inner,
+    length: <P::Scalar as Arithmetic>::Inner,
+    tolerance: <P::Scalar as Arithmetic>::Inner,
     /// How far the curve has gone backwards so far.
-    backwards: <P::Scalar as SplineScalar>::Inner,
+    backwards: <P::Scalar as Arithmetic>::Inner,
 }
 
 impl<P: Point> Chord<P> {
-    fn new(from: Inner<P>, to: Inner<P>, tolerance: <P::Scalar as SplineScalar>::Inner) -> Self {
+    fn new(from: Inner<P>, to: Inner<P>, tolerance: <P::Scalar as Arithmetic>::Inner) -> Self {
         let mut way = to;
         combine::<P>(&mut way, from, P::Scalar::subtract);
         let length = P::Scalar::norm(way.as_ref());
-        Self { from, way, length, tolerance, backwards: P::Scalar::NOTHING }
+        Self { from, way, length, tolerance, backwards: P::Scalar::ZERO.inner() }
     }
 
     /// Whether all control points of a piece are within the tolerance of the segment, and with them the
     /// piece; and whether the pieces so far together go no farther backwards than the tolerance.
     fn takes(&mut self, points: &[Inner<P>]) -> bool {
         let (mut backwards, mut before) = (self.backwards, None);
+        let nothing = P::Scalar::ZERO.inner();
         for point in points {
             let mut rest = *point;
             combine::<P>(&mut rest, self.from, P::Scalar::subtract);
             let along = P::Scalar::project(rest.as_ref(), self.way.as_ref(), self.length);
-            let nearest = if along < P::Scalar::NOTHING {
-                P::Scalar::NOTHING
+            let nearest = if along < nothing {
+                nothing
             } else if along > self.length {
                 self.length
             } else {

@@ -1,11 +1,10 @@
 //! Insertion of knots.
 
 use super::Curve;
-use crate::spline::domain::Outside;
-use crate::spline::error::{EvaluateError, InsertError};
-use crate::spline::knots::Knots;
+use crate::scalar::Number;
+use crate::spline::error::KnotError;
 use crate::spline::point::{Point, combine, inner, outer};
-use crate::spline::scalar::SplineScalar;
+use crate::spline::scalar::Arithmetic;
 
 impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N> {
     /// Inserts a knot and with it a control point; the curve stays as it is, but for the rounding
@@ -28,55 +27,44 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
     /// ```
     ///
     /// # Errors
-    /// An [`InsertError`]; the curve is as before then.
-    pub fn insert(&mut self, knot: P::Scalar) -> Result<(), InsertError> {
-        match self.domain().place(knot, Outside::Error) {
-            Ok(_) => {}
-            Err(EvaluateError::NotFinite) => return Err(InsertError::NotFinite),
-            Err(_) => return Err(InsertError::Outside),
+    /// [`KnotError::NotFinite`]; [`KnotError::Outside`] of the domain; [`KnotError::Multiplicity`] if the
+    /// knot is there `K` times already; [`KnotError::TooMany`] without room for another knot and control
+    /// point. The curve is as before then.
+    pub fn insert(&mut self, knot: P::Scalar) -> Result<(), KnotError> {
+        if !knot.is_finite() {
+            return Err(KnotError::NotFinite);
         }
-        let (knots, points) = (self.knots.as_slice(), self.points());
-        let count = points.len();
+        if !self.domain().contains(knot) {
+            return Err(KnotError::Outside);
+        }
+        let knots = self.knots.as_slice();
+        let count = self.knots.points();
         if knots.len() >= N || count >= C {
-            return Err(InsertError::Full);
+            return Err(KnotError::TooMany);
         }
         if knots.iter().filter(|&&other| other == knot).count() >= K {
-            return Err(InsertError::Multiplicity);
+            return Err(KnotError::Multiplicity);
+        }
+        // From the last one on, so that the old point in front is still there.
+        for i in (1..=count).rev() {
+            let (Some(&low), Some(&high)) = (knots.get(i), knots.get(i + K - 1)) else { continue };
+            if high <= knot {
+                break;
+            }
+            let Some([before, own]) = self.points.get_mut(i - 1..=i) else { continue };
+            let mut point = inner(*before);
+            if low < knot {
+                let ratio = P::Scalar::ratio(knot, low, high);
+                combine::<P>(&mut point, inner(*own), |a, b| P::Scalar::blend(a, b, ratio));
+            }
+            *own = outer(point);
         }
         let place = knots.partition_point(|&other| other <= knot);
-
-        let mut new_points = self.points;
-        for (i, new) in new_points.iter_mut().enumerate().take(count + 1) {
-            let before = i.checked_sub(1).and_then(|i| points.get(i));
-            // t_i and t_{i+k−1}: left of them the old points, right of them those before.
-            let low = knots.get(i).copied();
-            let high = (i + K).checked_sub(1).and_then(|i| knots.get(i)).copied();
-            *new = match (before, points.get(i)) {
-                (None, Some(own)) => *own,
-                (Some(before), None) => *before,
-                (Some(before), Some(own)) => match (low, high) {
-                    (Some(low), _) if knot <= low => *before,
-                    (_, Some(high)) if high <= knot => *own,
-                    (Some(low), Some(high)) => {
-                        let ratio = P::Scalar::ratio(knot, low, high);
-                        let mut point = inner(*before);
-                        combine::<P>(&mut point, inner(*own), |a, b| P::Scalar::blend(a, b, ratio));
-                        outer(point)
-                    }
-                    _ => *own,
-                },
-                (None, None) => P::ORIGIN,
-            };
+        let mut carried = knot;
+        for other in self.knots.knots.iter_mut().skip(place) {
+            core::mem::swap(other, &mut carried);
         }
-        let mut new_knots = self.knots.knots;
-        for (i, new) in new_knots.iter_mut().enumerate().skip(place) {
-            // What is behind the last knot repeats it, and goes on doing so.
-            let before = i.checked_sub(1).filter(|_| i > place);
-            *new = before.and_then(|i| self.knots.knots.get(i)).copied().unwrap_or(knot);
-        }
-        let length = self.knots.length + 1;
-        self.knots = Knots { knots: new_knots, length };
-        self.points = new_points;
+        self.knots.length += 1;
         Ok(())
     }
 }

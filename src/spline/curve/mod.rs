@@ -10,6 +10,7 @@ use super::error::{CurveError, EvaluateError};
 use super::knots::Knots;
 use super::point::{Point, direction, outer};
 use super::scalar::SplineScalar;
+use super::scalar::order::Ordered;
 use crate::geom::Vec3;
 use crate::scalar::Number;
 
@@ -21,6 +22,7 @@ use crate::scalar::Number;
 /// largest coordinate of the control points; in fixed point, which has 28 guard bits on the way, within
 /// 0.51 units. A curve with clamped ends passes through its first and last control point exactly.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Curve<P: Point, const K: usize, const C: usize, const N: usize> {
     pub(in crate::spline) knots: Knots<P::Scalar, K, N>,
     /// As many as the knots demand, and behind them origins.
@@ -52,7 +54,8 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
             if !x.is_finite() {
                 return Err(CurveError::NotFinite);
             }
-            if x.abs() > P::Scalar::LARGEST {
+            let [lowest, highest] = P::Scalar::RANGE;
+            if *x < lowest || highest < *x {
                 return Err(CurveError::TooFar);
             }
         }

@@ -2,30 +2,39 @@
 
 use crate::spline::error::EvaluateError;
 use crate::spline::point::{Inner, Point, combine, inner};
-use crate::spline::scalar::SplineScalar;
-
-/// The control points of a span, and the knots t_{j−k+1} … t_j and t_{j+1} … t_{j+k}.
-#[inline]
-#[allow(clippy::type_complexity)]
-fn segment<'a, P: Point, const K: usize>(
-    knots: &'a [P::Scalar],
-    points: &'a [P],
-    span: usize,
-) -> Option<(&'a [P; K], &'a [P::Scalar; K], &'a [P::Scalar; K])> {
-    let first = (span + 1).checked_sub(K)?;
-    Some((
-        points.get(first..)?.first_chunk()?,
-        knots.get(first..)?.first_chunk()?,
-        knots.get(span + 1..)?.first_chunk()?,
-    ))
-}
+use crate::spline::scalar::Arithmetic;
 
 /// The highest order whose blends are few enough for quick ratios.
 const QUICK: usize = 4;
 
-/// De Boor's triangle on a span, for parameters on it.
+/// Levels 1 to K − 1 of a triangle over the control points of a span: a step changes a point with its
+/// right neighbour, given the level and the ends of their knot interval.
+#[inline(always)]
+fn triangle<P: Point, const K: usize>(
+    knots: &[P::Scalar],
+    points: &[P],
+    span: usize,
+    step: impl Fn(usize, &mut Inner<P>, Inner<P>, [P::Scalar; 2]) -> Option<()>,
+) -> Option<[Inner<P>; K]> {
+    let first = (span + 1).checked_sub(K)?;
+    let points: &[P; K] = points.get(first..)?.first_chunk()?;
+    let low: &[P::Scalar; K] = knots.get(first..)?.first_chunk()?;
+    let high: &[P::Scalar; K] = knots.get(span + 1..)?.first_chunk()?;
+    let mut row = points.map(inner);
+    for level in 1..K {
+        // Loops over an index get unrolled, which chains of iterators don't.
+        for i in 0..K - level {
+            let (Some(&low), Some(&high)) = (low.get(i + level), high.get(i)) else { break };
+            let Some(&b) = row.get(i + 1) else { break };
+            step(level, row.get_mut(i)?, b, [low, high])?;
+        }
+    }
+    Some(row)
+}
+
+/// The point at a parameter on the span.
 #[inline]
-pub(in crate::spline) fn on_span<P: Point, const K: usize>(
+pub(super) fn on_span<P: Point, const K: usize>(
     knots: &[P::Scalar],
     points: &[P],
     span: usize,
@@ -43,56 +52,38 @@ pub(super) fn polar<P: Point, const K: usize>(
     span: usize,
     at: impl Fn(usize) -> P::Scalar,
 ) -> Option<Inner<P>> {
-    let (points, low, high) = segment::<P, K>(knots, points, span)?;
-    let mut blended = points.map(inner);
-    for level in 1..K {
-        // Loops over an index get unrolled, which chains of iterators don't.
-        for i in 0..K - level {
-            let (Some(&low), Some(&high)) = (low.get(i + level), high.get(i)) else { break };
-            let Some(&b) = blended.get(i + 1) else { break };
-            let Some(a) = blended.get_mut(i) else { break };
-            let ratio = if K > QUICK { P::Scalar::fine_ratio } else { P::Scalar::ratio };
-            let ratio = ratio(at(level), low, high);
-            combine::<P>(a, b, |a, b| P::Scalar::blend(a, b, ratio));
-        }
-    }
-    blended.first().copied()
+    let row = triangle::<P, K>(knots, points, span, |level, a, b, [low, high]| {
+        let ratio = if K > QUICK { P::Scalar::fine_ratio } else { P::Scalar::ratio };
+        let ratio = ratio(at(level), low, high);
+        combine::<P>(a, b, |a, b| P::Scalar::blend(a, b, ratio));
+        Some(())
+    });
+    row?.first().copied()
 }
 
-/// A derivative on a span: `order` levels of differences, then blends.
+/// A derivative at any parameter: `order` levels of differences, then blends.
 #[inline(never)]
-pub(in crate::spline) fn derivative<P: Point, const K: usize>(
+pub(super) fn derivative<P: Point, const K: usize>(
     knots: &[P::Scalar],
     points: &[P],
     span: usize,
     order: usize,
     t: P::Scalar,
 ) -> Result<P, EvaluateError> {
-    let segment = segment::<P, K>(knots, points, span);
-    let Some((points, low, high)) = segment.filter(|_| order < K) else {
+    if order >= K {
         return Ok(P::ORIGIN);
-    };
-    let mut blended = points.map(inner);
-    for level in 1..K {
-        let degree = (K - level) as u16;
-        let intervals = low.iter().skip(level).zip(high);
-        let mut rest = blended.as_mut_slice();
-        for (&low, &high) in intervals {
-            let [a, others @ ..] = rest else { break };
-            let Some(&b) = others.first() else { break };
-            if level <= order {
-                combine::<P>(a, b, |a, b| P::Scalar::slope(a, b, degree, low, high));
-            } else {
-                let ratio = P::Scalar::ratio(t, low, high);
-                combine::<P>(a, b, |a, b| P::Scalar::blend(a, b, ratio));
-            }
-            if !a.as_ref().iter().all(|x| P::Scalar::is_within(*x)) {
-                return Err(EvaluateError::Overflow);
-            }
-            rest = others;
-        }
     }
-    let Some(&point) = blended.first() else { return Ok(P::ORIGIN) };
+    let row = triangle::<P, K>(knots, points, span, |level, a, b, [low, high]| {
+        if level <= order {
+            let degree = (K - level) as u16;
+            combine::<P>(a, b, |a, b| P::Scalar::slope(a, b, degree, low, high));
+        } else {
+            let ratio = P::Scalar::ratio(t, low, high);
+            combine::<P>(a, b, |a, b| P::Scalar::blend(a, b, ratio));
+        }
+        a.as_ref().iter().all(|x| P::Scalar::is_within(*x)).then_some(())
+    });
+    let point = row.and_then(|row| row.first().copied()).ok_or(EvaluateError::Overflow)?;
     let mut coordinates = P::ORIGIN.coordinates();
     for (x, inner) in coordinates.as_mut().iter_mut().zip(point.as_ref()) {
         *x = P::Scalar::checked(*inner).ok_or(EvaluateError::Overflow)?;

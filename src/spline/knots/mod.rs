@@ -74,11 +74,19 @@ impl<S: SplineScalar, const K: usize, const N: usize> Knots<S, K, N> {
     /// not empty for the last knot itself. `None` outside of all knots.
     #[must_use]
     pub fn span(&self, t: S) -> Option<usize> {
-        span(self.as_slice(), t)
+        let knots = self.as_slice();
+        let (first, last) = (*knots.first()?, *knots.last()?);
+        if !(first <= t && t <= last) {
+            return None;
+        }
+        let after = if t < last {
+            knots.partition_point(|&knot| knot <= t)
+        } else {
+            knots.partition_point(|&knot| knot < last)
+        };
+        after.checked_sub(1)
     }
-}
 
-impl<S: SplineScalar, const K: usize, const N: usize> Knots<S, K, N> {
     /// The index j of the span of a domain up to `end` that t is in or nearest to, of those that
     /// aren't empty.
     #[inline]
@@ -98,18 +106,4 @@ impl<S: SplineScalar, const K: usize, const N: usize> Knots<S, K, N> {
         };
         K - 1 + before
     }
-}
-
-/// As [`Knots::span`].
-pub(in crate::spline) fn span<S: SplineScalar>(knots: &[S], t: S) -> Option<usize> {
-    let (first, last) = (*knots.first()?, *knots.last()?);
-    if !(first <= t && t <= last) {
-        return None;
-    }
-    let after = if t < last {
-        knots.partition_point(|&knot| knot <= t)
-    } else {
-        knots.partition_point(|&knot| knot < last)
-    };
-    after.checked_sub(1)
 }

@@ -1,8 +1,8 @@
 //! Splines in fixed point: integers with guard bits, rounded once.
 
-use super::{SplineScalar, falling};
+use super::Arithmetic;
 use crate::scalar::integer::{divide, narrow, shift_right};
-use crate::scalar::{FixedI32, Fraction};
+use crate::scalar::{ConstOps, FixedI32, Fraction};
 use core::fmt::Debug;
 
 /// Digits of an inner number beyond those of its type. With 32 of the type's own, four bits are
@@ -13,7 +13,6 @@ const GUARD: u32 = 28;
 const RATIO: u32 = 62;
 
 /// `whole + fraction/2⁶²`. Between the knots the whole part is 0, at the upper one 1.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mixed {
     whole: i64,
@@ -51,7 +50,6 @@ impl Mixed {
 }
 
 /// The local parameter of a baked piece is `(t·2^shift − origin)/2³²`.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FixedMap {
     /// Where the span starts.
@@ -81,24 +79,22 @@ fn exactly<F: Fraction>(bits: i64) -> Option<FixedI32<F>> {
     i32::try_from(bits).ok().map(FixedI32::from_bits)
 }
 
-#[inline]
+/// Held inside of a range whose ends have the same size.
 fn held(x: i128) -> i64 {
-    x.clamp(i64::MIN.into(), i64::MAX.into()) as i64
+    let most = i128::from(i64::MAX);
+    x.clamp(-most, most) as i64
 }
 
-impl<F: Fraction> SplineScalar for FixedI32<F> {
+impl<F: Fraction> Arithmetic for FixedI32<F> {
     type Inner = i64;
     type Weight = i64;
     type Ratio = Mixed;
     type LocalMap = FixedMap;
     type Pieces<T: Copy + Debug + PartialEq, const SPANS: usize> = [[T; 1]; SPANS];
     type Coefficient = i32;
-    type Key = u32;
     /// The whole units of the value in the middle of the span.
     type Base = i32;
 
-    const LARGEST: Self = Self::MAX;
-    const NOTHING: i64 = 0;
     const FULL: i64 = 1 << (GUARD + F::BITS);
     const NONE: i64 = 0;
 
@@ -141,26 +137,17 @@ impl<F: Fraction> SplineScalar for FixedI32<F> {
         a.saturating_add(ratio.of(b.saturating_sub(a)))
     }
 
-    fn rise(x: i64, t: Self, low: Self, high: Self) -> i64 {
-        Mixed::new(width(low, t), width(low, high)).of(x)
+    fn split(x: i64, t: Self, [low, high]: [Self; 2]) -> [i64; 2] {
+        [width(low, t), width(t, high)].map(|part| Mixed::new(part, width(low, high)).of(x))
     }
 
-    fn fall(x: i64, t: Self, low: Self, high: Self) -> i64 {
-        Mixed::new(width(t, high), width(low, high)).of(x)
-    }
-
-    fn climb(x: i64, degree: u16, low: Self, high: Self) -> i64 {
+    fn climb(x: i64, degree: u16, [low, high]: [Self; 2]) -> i64 {
         Self::slope(0, x, degree, low, high)
     }
 
     #[inline]
     fn add_weights(a: i64, b: i64) -> i64 {
         a.saturating_add(b)
-    }
-
-    #[inline]
-    fn negate_weight(weight: i64) -> i64 {
-        weight.saturating_neg()
     }
 
     #[inline]
@@ -194,9 +181,7 @@ impl<F: Fraction> SplineScalar for FixedI32<F> {
     }
 
     fn between(from: Self, to: Self, index: u32, count: u32) -> Self {
-        let part =
-            divide(i128::from(width(from, to)) * i128::from(index), i128::from(count.max(1)));
-        Self::from_bits(narrow(i64::from(from.to_bits()) + part as i64))
+        ConstOps::<Self>::divided([from, to], index as usize, count as usize)
     }
 
     fn norm(coordinates: &[i64]) -> i64 {
@@ -208,25 +193,10 @@ impl<F: Fraction> SplineScalar for FixedI32<F> {
     }
 
     #[inline]
-    fn after(self, start: u32) -> u32 {
-        self.to_bits().cast_unsigned().wrapping_sub(start)
-    }
-
-    #[inline]
-    fn from_key(key: u32) -> Self {
-        Self::from_bits(key.cast_signed())
-    }
-
-    #[inline]
     fn pieces<T: Copy + Debug + PartialEq, const SPANS: usize>(
         pieces: &Self::Pieces<T, SPANS>,
     ) -> &[T] {
         pieces.as_flattened()
-    }
-
-    #[inline]
-    fn before(t: Self, end: Self) -> Self {
-        Self::from_bits(t.to_bits().min(end.to_bits().saturating_sub(1)))
     }
 
     #[inline]
@@ -260,7 +230,9 @@ impl<F: Fraction> SplineScalar for FixedI32<F> {
         let sum = terms.fold(0, |sum: i128, (power, c)| {
             // What is held in here is far beyond the range at the end.
             let product = sum.saturating_mul(local) >> 32;
-            let sum = product + i128::from(c) * i128::from(falling(power, order));
+            // i(i−1)…(i−order+1): the factor of a power's derivative.
+            let falling = (0..order).fold(1, |falling, j| falling * (power - j) as i128);
+            let sum = product.saturating_add(falling.saturating_mul(c.into()));
             sum.clamp(-1 << 61, 1 << 61)
         });
         // 2^(shift − 32) is the scale of t, in units of the type.

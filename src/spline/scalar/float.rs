@@ -1,73 +1,16 @@
 //! Splines in floating point.
 
-use super::order::{order_f32, order_f64};
-use super::{SplineScalar, falling};
+use super::Arithmetic;
+use super::order::Ordered;
 use crate::scalar::{Double, Float, Scalar};
 use core::fmt::Debug;
 use core::hint::select_unpredictable;
-
-/// What splines need of `f32` and `f64`, each in a way of its own.
-pub trait FloatSpline: Float {
-    /// An integer of the same width.
-    type Bits: Copy + Debug + Ord;
-
-    /// A quarter of the largest number.
-    const QUARTER: Self;
-
-    /// The remainder of a division, exactly; it has the sign of `self`.
-    #[must_use]
-    fn remainder(self, divisor: Self) -> Self;
-
-    /// The nearest number.
-    fn from_i64(x: i64) -> Self;
-
-    /// As [`SplineScalar::after`].
-    fn keys_after(self, start: Self::Bits) -> Self::Bits;
-
-    /// As [`SplineScalar::from_key`].
-    fn from_bits_in_order(bits: Self::Bits) -> Self;
-}
-
-macro_rules! floats {
-    ($($Float:ident $Bits:ident $fmod:path, $order:path;)+) => {$(
-        impl FloatSpline for $Float {
-            type Bits = $Bits;
-
-            const QUARTER: Self = Self::MAX / 4.0;
-
-            #[inline]
-            fn remainder(self, divisor: Self) -> Self {
-                $fmod(self, divisor)
-            }
-
-            #[inline]
-            fn from_i64(x: i64) -> Self {
-                x as Self
-            }
-
-            #[inline]
-            fn keys_after(self, start: $Bits) -> $Bits {
-                $order(self).cast_unsigned().wrapping_sub(start)
-            }
-
-            #[inline]
-            fn from_bits_in_order(bits: $Bits) -> Self {
-                Self::from_bits($order(Self::from_bits(bits)).cast_unsigned())
-            }
-        }
-    )+};
-}
-
-floats! {
-    f32 u32 libm::fmodf, order_f32;
-    f64 u64 libm::fmod, order_f64;
-}
+use core::ops::Neg;
 
 /// Where a parameter is between two knots: measured from the nearer one.
 ///
 /// So the error of `anchor + (b − a)·offset` is small against the difference of a and b, and both
 /// ends are exact.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Nearer<S> {
     from_high: bool,
@@ -78,12 +21,10 @@ pub struct Nearer<S> {
 }
 
 /// The value of a basis function, in twice the working precision.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Weight<S>(Double<S>);
 
 /// The local parameter of a baked piece is `t·scale + shift`.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FloatMap<S> {
     /// A power of two, so that the product is exact.
@@ -91,26 +32,12 @@ pub struct FloatMap<S> {
     pub(in crate::spline) shift: S,
 }
 
-impl<S: Float> Weight<S> {
-    /// `self·part/whole`; 0 for a whole of 0.
-    #[inline(never)] // inlined, it makes five times the code
-    fn share(self, part: Double<S>, whole: Double<S>) -> Self {
-        Self(self.0.times(quotient(part, whole)))
-    }
+impl<S: Float> Neg for Weight<S> {
+    type Output = Self;
 
-    /// `self·degree/width`, with a size up to `most`; 0 for a width of 0.
-    #[inline(never)]
-    fn climb(self, degree: S, width: Double<S>, most: S) -> Self {
-        let within = |x: S| Self(Double::from(x.min(most).max(-most)));
-        // A product's error may overflow before the product does.
-        if self.0.high.abs() > most * S::EPSILON {
-            let is_empty = width.high == S::ZERO;
-            return within(if is_empty { S::ZERO } else { self.0.high / width.high * degree });
-        }
-        let product = self.0.times(Double::from(degree));
-        let Double { high, low } = quotient(product, width);
-        // Outside of the range in which the product of quotient and divisor has an exact error.
-        if high.abs() > S::MAX_COORDINATE { within(high) } else { Self(Double { high, low }) }
+    #[inline]
+    fn neg(self) -> Self {
+        Self(Double { high: -self.0.high, low: -self.0.low })
     }
 }
 
@@ -128,18 +55,15 @@ fn quotient<S: Float>(a: Double<S>, b: Double<S>) -> Double<S> {
     Double::sum(high, rest / b.high)
 }
 
-impl<S: FloatSpline> SplineScalar for S {
+impl<S: Float + Ordered> Arithmetic for S {
     type Inner = Self;
     type Weight = Weight<Self>;
     type Ratio = Nearer<Self>;
     type LocalMap = FloatMap<Self>;
     type Pieces<T: Copy + Debug + PartialEq, const SPANS: usize> = [[T; 3]; SPANS];
     type Coefficient = Self;
-    type Key = S::Bits;
     type Base = ();
 
-    const LARGEST: Self = Self::MAX_COORDINATE;
-    const NOTHING: Self = S::ZERO;
     const FULL: Weight<Self> = Weight(Double { high: S::ONE, low: S::ZERO });
     const NONE: Weight<Self> = Weight(Double { high: S::ZERO, low: S::ZERO });
 
@@ -200,25 +124,32 @@ impl<S: FloatSpline> SplineScalar for S {
         anchor + ratio.rest.map_or(product, |rest| product + (b - a) * rest)
     }
 
-    fn rise(weight: Weight<Self>, t: Self, low: Self, high: Self) -> Weight<Self> {
-        weight.share(Double::sum(t, -low), Double::sum(high, -low))
+    #[inline(never)] // inlined, it makes five times the code
+    fn split(Weight(weight): Weight<Self>, t: Self, [low, high]: [Self; 2]) -> [Weight<Self>; 2] {
+        let width = Double::sum(high, -low);
+        [Double::sum(t, -low), Double::sum(high, -t)]
+            .map(|part| Weight(weight.times(quotient(part, width))))
     }
 
-    fn fall(weight: Weight<Self>, t: Self, low: Self, high: Self) -> Weight<Self> {
-        weight.share(Double::sum(high, -t), Double::sum(high, -low))
-    }
-
-    fn climb(weight: Weight<Self>, degree: u16, low: Self, high: Self) -> Weight<Self> {
-        weight.climb(Self::from_int(degree.into()), Double::sum(high, -low), Self::QUARTER)
+    #[inline(never)]
+    fn climb(Weight(weight): Weight<Self>, degree: u16, [low, high]: [Self; 2]) -> Weight<Self> {
+        let (most, degree) =
+            (S::CONSTANTS.largest * S::from_ratio(1, 4), Self::from_int(degree.into()));
+        let within = |x: S| Weight(Double::from(x.min(most).max(-most)));
+        let width = Double::sum(high, -low);
+        // A product's error may overflow before the product does.
+        if weight.high.abs() > most * S::EPSILON {
+            let is_empty = width.high == S::ZERO;
+            return within(if is_empty { S::ZERO } else { weight.high / width.high * degree });
+        }
+        let quotient = quotient(weight.times(Double::from(degree)), width);
+        // Outside of the range in which the product of quotient and divisor has an exact error.
+        let is_large = quotient.high.abs() > S::MAX_COORDINATE;
+        if is_large { within(quotient.high) } else { Weight(quotient) }
     }
 
     fn add_weights(a: Weight<Self>, b: Weight<Self>) -> Weight<Self> {
         Weight(a.0.plus(b.0))
-    }
-
-    #[inline]
-    fn negate_weight(weight: Weight<Self>) -> Weight<Self> {
-        Weight(Double { high: -weight.0.high, low: -weight.0.low })
     }
 
     #[inline]
@@ -255,7 +186,8 @@ impl<S: FloatSpline> SplineScalar for S {
 
     #[inline]
     fn between(from: Self, to: Self, index: u32, count: u32) -> Self {
-        let t = from + (to - from) * (Self::from_i64(index.into()) / Self::from_i64(count.into()));
+        let [index, count] = [index, count].map(|x| Self::from_int(x.cast_signed()));
+        let t = from + (to - from) * (index / count);
         t.min(to)
     }
 
@@ -271,25 +203,10 @@ impl<S: FloatSpline> SplineScalar for S {
     }
 
     #[inline]
-    fn after(self, start: S::Bits) -> S::Bits {
-        self.keys_after(start)
-    }
-
-    #[inline]
-    fn from_key(key: S::Bits) -> Self {
-        Self::from_bits_in_order(key)
-    }
-
-    #[inline]
     fn pieces<T: Copy + Debug + PartialEq, const SPANS: usize>(
         pieces: &Self::Pieces<T, SPANS>,
     ) -> &[T] {
         pieces.as_flattened()
-    }
-
-    #[inline]
-    fn before(t: Self, end: Self) -> Self {
-        t.min(end.next_below())
     }
 
     #[inline]
@@ -321,7 +238,8 @@ impl<S: FloatSpline> SplineScalar for S {
     ) -> Option<Self> {
         let local = Self::local(t, map);
         let sum = terms.fold(S::ZERO, |sum, (power, c)| {
-            sum * local + c * Self::from_i64(falling(power, order))
+            let factors = (0..order).map(|j| Self::from_int((power - j) as i32));
+            sum * local + c * factors.fold(S::ONE, |falling, factor| falling * factor)
         });
         Self::checked((0..order).fold(sum, |sum, _| sum * map.scale))
     }

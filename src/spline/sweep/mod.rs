@@ -48,9 +48,9 @@ pub struct Sweep<'a, P: Point, const K: usize> {
     /// Of the basis functions of the span.
     divisor: u32,
     /// The next span.
-    pub(in crate::spline) span: usize,
+    span: usize,
     /// How many points are left before it begins.
-    pub(in crate::spline) left: u32,
+    left: u32,
     /// Of each coordinate, the value and its differences.
     differences: P::Array<[Quotient; K]>,
 }
@@ -100,9 +100,6 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
     /// # Errors
     /// [`SweepError::TooFew`] for fewer control points than the order; [`SweepError::Ticks`].
     pub fn new(points: &'a [P], ticks: u32) -> Result<Self, SweepError> {
-        if points.len() < K {
-            return Err(SweepError::TooFew);
-        }
         Self::start(points, Pace::Uniform { ticks, is_closed: false })
     }
 
@@ -111,9 +108,6 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
     /// # Errors
     /// As [`new`](Self::new).
     pub fn closed(points: &'a [P], ticks: u32) -> Result<Self, SweepError> {
-        if points.len() < K {
-            return Err(SweepError::TooFew);
-        }
         Self::start(points, Pace::Uniform { ticks, is_closed: true })
     }
 
@@ -128,11 +122,8 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
     ) -> Result<Self, SweepError> {
         let knots = curve.knots().as_slice();
         let step = u32::try_from(step.to_bits()).map_err(|_| SweepError::Step)?;
-        let is_even = knots.windows(2).all(|pair| match pair {
-            [low, high] => distance(*low, *high).checked_rem(step) == Some(0),
-            _ => true,
-        });
-        if !is_even {
+        let mut intervals = knots.iter().zip(knots.iter().skip(1));
+        if !intervals.all(|(low, high)| distance(*low, *high).checked_rem(step) == Some(0)) {
             return Err(SweepError::Step);
         }
         Self::start(curve.points(), Pace::Given { knots, step })
@@ -140,13 +131,16 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
 
     fn start(points: &'a [P], pace: Pace<'a, FixedI32<F>>) -> Result<Self, SweepError> {
         const { assert!(K >= 1 && K <= 12) };
+        if points.len() < K {
+            return Err(SweepError::TooFew);
+        }
         let mut sweep = Self {
             points,
             pace,
             divisor: 1,
             span: 0,
             left: 0,
-            differences: P::map(P::ORIGIN.coordinates(), |_| [Quotient::ZERO; K]),
+            differences: P::filled([Quotient::ZERO; K]),
         };
         let is_given = matches!(pace, Pace::Given { .. });
         let different = if is_given { sweep.spans() } else { 1 };
@@ -216,7 +210,7 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
         for tick in 0..K {
             let weights = ticks.weights(tick as u32);
             let from_span = points.iter().cycle().skip(span);
-            let mut sums = P::map(P::ORIGIN.coordinates(), |_| 0i64);
+            let mut sums = P::filled(0i64);
             for (weight, point) in weights.iter().zip(from_span) {
                 for (sum, x) in sums.as_mut().iter_mut().zip(point.coordinates().as_ref()) {
                     *sum = sum.wrapping_add(weight.wrapping_mul(i64::from(x.to_bits())));
@@ -235,13 +229,10 @@ impl<'a, F: Fraction, P: Point<Scalar = FixedI32<F>>, const K: usize> Sweep<'a, 
         // Values at ticks 0 … k−1 become differences at tick 0.
         for values in self.differences.as_mut() {
             for level in 1..K {
-                let mut before: Option<Quotient> = None;
-                for (i, value) in values.iter_mut().enumerate() {
-                    let own = *value;
-                    if let Some(before) = before.filter(|_| i >= level) {
-                        value.subtract(before, self.divisor);
+                for i in (level..K).rev() {
+                    if let Some([before, value]) = values.get_mut(i - 1..=i) {
+                        value.subtract(*before, self.divisor);
                     }
-                    before = Some(own);
                 }
             }
         }

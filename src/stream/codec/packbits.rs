@@ -45,15 +45,36 @@ impl<P> Chunk<'_, P> {
     }
 }
 
-/// A row cut into chunks. Walking it costs no memory, so an encoder walks it twice: once for the
+/// Cuts a row into chunks. Walking it costs no memory, so an encoder walks it twice: once for the
 /// length, once for the bytes.
-struct Chunks<'a, P> {
-    rest: &'a [P],
+fn chunks<P: WirePixel>(mut rest: &[P]) -> impl Iterator<Item = Chunk<'_, P>> {
+    core::iter::from_fn(move || {
+        let (chunk, others) = first_chunk(rest)?;
+        rest = others;
+        Some(chunk)
+    })
 }
 
-/// Cuts `pixels` into chunks.
-const fn chunks<P: WirePixel>(pixels: &[P]) -> Chunks<'_, P> {
-    Chunks { rest: pixels }
+/// The chunk at the start of a row, and the pixels behind it.
+fn first_chunk<P: WirePixel>(pixels: &[P]) -> Option<(Chunk<'_, P>, &[P])> {
+    // With no literal open, a run of two is never longer than the literal that it replaces.
+    let run = run_length(pixels, MAX_CHUNK);
+    if run >= 2 {
+        return Some((Chunk::Repeat(*pixels.first()?, run as u8), pixels.get(run..)?));
+    }
+    // A run that breaks a literal in two costs a control byte more. Two pixels of two bytes pay for
+    // it (4 bytes against 1 + 2 + 1), one-byte pixels only from three on (3 bytes against 1 + 1 + 1).
+    let worthwhile = if P::FORMAT.bytes_per_pixel() == 1 { 3 } else { 2 };
+    let mut len = run;
+    while len < MAX_CHUNK {
+        let run = run_length(pixels.get(len..)?, worthwhile);
+        if run == 0 || run >= worthwhile {
+            break;
+        }
+        len += run;
+    }
+    let (literal, rest) = pixels.split_at_checked(len.min(MAX_CHUNK))?;
+    (!literal.is_empty()).then_some((Chunk::Literal(literal), rest))
 }
 
 /// The size of the packed pixels in bytes.
@@ -71,35 +92,6 @@ pub(super) fn pack<P: WirePixel, E>(
         put(&[chunk.control()])?;
         raw::pack(chunk.pixels(), put)
     })
-}
-
-impl<'a, P: WirePixel> Iterator for Chunks<'a, P> {
-    type Item = Chunk<'a, P>;
-
-    fn next(&mut self) -> Option<Chunk<'a, P>> {
-        let first = *self.rest.first()?;
-        // With no literal open, a run of two is never longer than the literal that it replaces.
-        let run = run_length(self.rest, MAX_CHUNK);
-        if run >= 2 {
-            self.rest = self.rest.get(run..).unwrap_or_default();
-            return Some(Chunk::Repeat(first, run as u8));
-        }
-        // A run that breaks a literal in two costs a control byte more. Two pixels of two bytes pay for
-        // it (4 bytes against 1 + 2 + 1), one-byte pixels only from three on (3 bytes against 1 + 1 + 1).
-        let worthwhile = if P::FORMAT.bytes_per_pixel() == 1 { 3 } else { 2 };
-        let mut len = 1;
-        while len < MAX_CHUNK {
-            let run = run_length(self.rest.get(len..).unwrap_or_default(), worthwhile);
-            if run == 0 || run >= worthwhile {
-                break;
-            }
-            len += run;
-        }
-        let len = len.min(MAX_CHUNK);
-        let literal = self.rest.get(..len)?;
-        self.rest = self.rest.get(len..).unwrap_or_default();
-        Some(Chunk::Literal(literal))
-    }
 }
 
 /// How many pixels at the start are alike, at most `cap`.

@@ -53,28 +53,20 @@ pub struct Cone<S: Scalar> {
     caps: Planes<S>,
 }
 
-/// Why a cone can't be made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum ConeError {
-    /// A coordinate or a radius is infinite or NaN.
-    NotFinite,
-    /// Both radii are zero, or one is negative, or neither zero nor between [`Scalar::MIN_RADIUS`] and
-    /// [`Scalar::MAX_COORDINATE`].
-    Radius,
-    /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
-    TooFar,
-    /// The lower end is not below the upper end, or the end points coincide.
-    Empty,
+crate::error_text! {
+    /// Why a cone can't be made.
+    pub enum ConeError {
+        /// A coordinate or a radius is infinite or NaN.
+        NotFinite => "a coordinate or a radius of the cone is infinite or not a number",
+        /// Both radii are zero, or one is negative, or neither zero nor between [`Scalar::MIN_RADIUS`] and
+        /// [`Scalar::MAX_COORDINATE`].
+        Radius => "a radius of the cone is negative or out of its number type's range, or both are zero",
+        /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
+        TooFar => "the cone is too far away for its number type",
+        /// The lower end is not below the upper end, or the end points coincide.
+        Empty => "the cone has no length: its ends coincide or are the wrong way round",
+    }
 }
-
-crate::error_text!(ConeError {
-    NotFinite => "a coordinate or a radius of the cone is infinite or not a number",
-    Radius => "a radius of the cone is negative or out of its number type's range, or both are zero",
-    TooFar => "the cone is too far away for its number type",
-    Empty => "the cone has no length: its ends coincide or are the wrong way round",
-});
 
 /// What is wrong with a cylinder around the cone.
 const fn of_cylinder(error: CylinderError) -> ConeError {

@@ -45,27 +45,19 @@ pub struct Cuboid<S: Scalar> {
     corners: Corners<S>,
 }
 
-/// Why a box can't be made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum CuboidError {
-    /// A coordinate is infinite or NaN.
-    NotFinite,
-    /// A size is zero or negative: two corners have a coordinate in common, or are the wrong way round.
-    Empty,
-    /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
-    TooFar,
-    /// Of a rounded box: the radius isn't positive, or twice of it isn't below the smallest size.
-    Radius,
+crate::error_text! {
+    /// Why a box can't be made.
+    pub enum CuboidError {
+        /// A coordinate is infinite or NaN.
+        NotFinite => "a coordinate of the box is infinite or not a number",
+        /// A size is zero or negative: two corners have a coordinate in common, or are the wrong way round.
+        Empty => "the box has no volume: a size is zero or negative",
+        /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
+        TooFar => "the box is too far away for its number type",
+        /// Of a rounded box: the radius isn't positive, or twice of it isn't below the smallest size.
+        Radius => "the radius of the rounded box is not positive, or half of its smallest size or more",
+    }
 }
-
-crate::error_text!(CuboidError {
-    NotFinite => "a coordinate of the box is infinite or not a number",
-    Empty => "the box has no volume: a size is zero or negative",
-    TooFar => "the box is too far away for its number type",
-    Radius => "the radius of the rounded box is not positive, or half of its smallest size or more",
-});
 
 per_scalar! { $S: impl[] Cuboid<$S> {
     /// A box from its lowest corner to its highest.
@@ -74,19 +66,16 @@ per_scalar! { $S: impl[] Cuboid<$S> {
     /// [`CuboidError::NotFinite`], [`CuboidError::TooFar`], or [`CuboidError::Empty`] where a
     /// coordinate of `low` isn't below that of `high`.
     pub const fn new(low: Vec3<$S>, high: Vec3<$S>) -> Result<Self, CuboidError> {
-        if !(low.has_finite_coordinates() && high.has_finite_coordinates()) {
-            return Err(CuboidError::NotFinite);
-        }
-        if !(ConstOps::<$S>::is_below(low.x, high.x)
+        let has_volume = ConstOps::<$S>::is_below(low.x, high.x)
             && ConstOps::<$S>::is_below(low.y, high.y)
-            && ConstOps::<$S>::is_below(low.z, high.z))
-        {
-            return Err(CuboidError::Empty);
+            && ConstOps::<$S>::is_below(low.z, high.z);
+        let is_finite = low.has_finite_coordinates() && high.has_finite_coordinates();
+        match () {
+            () if !is_finite => Err(CuboidError::NotFinite),
+            () if !has_volume => Err(CuboidError::Empty),
+            () if !(low.is_within_reach() && high.is_within_reach()) => Err(CuboidError::TooFar),
+            () => Ok(Self { corners: Corners { low, high } }),
         }
-        if !(low.is_within_reach() && high.is_within_reach()) {
-            return Err(CuboidError::TooFar);
-        }
-        Ok(Self { corners: Corners { low, high } })
     }
 } }
 
@@ -97,16 +86,13 @@ impl<S: Scalar> Cuboid<S> {
     /// # Errors
     /// As [`new`](Self::new).
     pub fn between(low: Vec3<S>, high: Vec3<S>) -> Result<Self, CuboidError> {
-        if !(low.is_finite() && high.is_finite()) {
-            return Err(CuboidError::NotFinite);
+        let has_volume = Axis::ALL.into_iter().all(|axis| axis.of(low) < axis.of(high));
+        match () {
+            () if !(low.is_finite() && high.is_finite()) => Err(CuboidError::NotFinite),
+            () if !has_volume => Err(CuboidError::Empty),
+            () if !(low.is_within_range() && high.is_within_range()) => Err(CuboidError::TooFar),
+            () => Ok(Self { corners: Corners { low, high } }),
         }
-        if Axis::ALL.into_iter().any(|axis| axis.of(low) >= axis.of(high)) {
-            return Err(CuboidError::Empty);
-        }
-        if !(low.is_within_range() && high.is_within_range()) {
-            return Err(CuboidError::TooFar);
-        }
-        Ok(Self { corners: Corners { low, high } })
     }
 
     /// A box with its lowest corner at (0, 0, 0).

@@ -28,27 +28,19 @@ pub struct Cylinder<S: Scalar> {
     pub(in crate::solid) caps: Planes<S>,
 }
 
-/// Why a cylinder can't be made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum CylinderError {
-    /// A coordinate or the radius is infinite or NaN.
-    NotFinite,
-    /// The radius is zero, negative, or not between [`Scalar::MIN_RADIUS`] and [`Scalar::MAX_COORDINATE`].
-    Radius,
-    /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
-    TooFar,
-    /// The lower end is not below the upper end, or the end points coincide.
-    Empty,
+crate::error_text! {
+    /// Why a cylinder can't be made.
+    pub enum CylinderError {
+        /// A coordinate or the radius is infinite or NaN.
+        NotFinite => "a coordinate or the radius of the cylinder is infinite or not a number",
+        /// The radius is zero, negative, or not between [`Scalar::MIN_RADIUS`] and [`Scalar::MAX_COORDINATE`].
+        Radius => "the radius of the cylinder is not positive, or out of its number type's range",
+        /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
+        TooFar => "the cylinder is too far away for its number type",
+        /// The lower end is not below the upper end, or the end points coincide.
+        Empty => "the cylinder has no length: its ends coincide or are the wrong way round",
+    }
 }
-
-crate::error_text!(CylinderError {
-    NotFinite => "a coordinate or the radius of the cylinder is infinite or not a number",
-    Radius => "the radius of the cylinder is not positive, or out of its number type's range",
-    TooFar => "the cylinder is too far away for its number type",
-    Empty => "the cylinder has no length: its ends coincide or are the wrong way round",
-});
 
 leaf!([S: Scalar] Cylinder<S>);
 
@@ -60,14 +52,10 @@ per_scalar! { $S: impl[] Cylinder<$S> {
     /// [`CylinderError::NotFinite`], [`CylinderError::Radius`], [`CylinderError::TooFar`], or
     /// [`CylinderError::Empty`] where `x_min ≥ x_max`.
     pub const fn along_x(
-        y: $S,
-        z: $S,
-        radius: $S,
-        x_min: $S,
-        x_max: $S,
+        y: $S, z: $S, radius: $S, x_min: $S, x_max: $S,
     ) -> Result<Self, CylinderError> {
-        let axis = Direction::<$S>::X;
-        Self::around(Vec3::new(ConstOps::<$S>::ZERO, y, z), axis, radius, x_min, x_max)
+        let caps = Planes { normal: Direction::<$S>::X, low: x_min, high: x_max };
+        Self::around(Vec3::new(ConstOps::<$S>::ZERO, y, z), radius, caps)
     }
 
     /// A cylinder along the y axis, around the line at (`x`, `z`), from `y_min` to
@@ -76,14 +64,10 @@ per_scalar! { $S: impl[] Cylinder<$S> {
     /// # Errors
     /// As [`along_x`](Self::along_x).
     pub const fn along_y(
-        x: $S,
-        z: $S,
-        radius: $S,
-        y_min: $S,
-        y_max: $S,
+        x: $S, z: $S, radius: $S, y_min: $S, y_max: $S,
     ) -> Result<Self, CylinderError> {
-        let axis = Direction::<$S>::Y;
-        Self::around(Vec3::new(x, ConstOps::<$S>::ZERO, z), axis, radius, y_min, y_max)
+        let caps = Planes { normal: Direction::<$S>::Y, low: y_min, high: y_max };
+        Self::around(Vec3::new(x, ConstOps::<$S>::ZERO, z), radius, caps)
     }
 
     /// A cylinder along the z axis, around the line at (`x`, `y`), from `z_min` to
@@ -92,14 +76,10 @@ per_scalar! { $S: impl[] Cylinder<$S> {
     /// # Errors
     /// As [`along_x`](Self::along_x).
     pub const fn along_z(
-        x: $S,
-        y: $S,
-        radius: $S,
-        z_min: $S,
-        z_max: $S,
+        x: $S, y: $S, radius: $S, z_min: $S, z_max: $S,
     ) -> Result<Self, CylinderError> {
-        let axis = Direction::<$S>::Z;
-        Self::around(Vec3::new(x, y, ConstOps::<$S>::ZERO), axis, radius, z_min, z_max)
+        let caps = Planes { normal: Direction::<$S>::Z, low: z_min, high: z_max };
+        Self::around(Vec3::new(x, y, ConstOps::<$S>::ZERO), radius, caps)
     }
 
     /// A cylinder from the middle of one cap to the middle of the other.
@@ -111,21 +91,17 @@ per_scalar! { $S: impl[] Cylinder<$S> {
     /// # Errors
     /// [`CylinderError::NotFinite`], [`CylinderError::Radius`], [`CylinderError::TooFar`], or
     /// [`CylinderError::Empty`] where the points coincide.
-    pub const fn between(
-        from: Vec3<$S>,
-        to: Vec3<$S>,
-        radius: $S,
-    ) -> Result<Self, CylinderError> {
+    pub const fn between(from: Vec3<$S>, to: Vec3<$S>, radius: $S) -> Result<Self, CylinderError> {
         if !(from.has_finite_coordinates() && to.has_finite_coordinates()) {
             return Err(CylinderError::NotFinite);
         }
         if !(from.is_within_reach() && to.is_within_reach()) {
             return Err(CylinderError::TooFar);
         }
-        match ConstOps::<$S>::stretch([from.x, from.y, from.z], [to.x, to.y, to.z]) {
+        match ConstOps::<$S>::stretch(from.to_array(), to.to_array()) {
             Some(Stretch { direction, low, high }) => {
-                let axis = Direction::<$S>::new(direction);
-                Self::around(from, axis, radius, low, high)
+                let normal = Direction::<$S>::new(direction);
+                Self::around(from, radius, Planes { normal, low, high })
             }
             None => Err(CylinderError::Empty),
         }
@@ -137,45 +113,30 @@ per_scalar! { $S: impl[] Cylinder<$S> {
     /// # Errors
     /// As [`along_x`](Self::along_x).
     pub const fn on(
-        axis: &AxisLine<$S>,
-        radius: $S,
-        from: $S,
-        to: $S,
+        axis: &AxisLine<$S>, radius: $S, from: $S, to: $S,
     ) -> Result<Self, CylinderError> {
         let [low, high] = [axis.plane_at(from), axis.plane_at(to)];
-        Self::around(axis.first(), axis.direction(), radius, low, high)
+        Self::around(axis.first(), radius, Planes { normal: axis.direction(), low, high })
     }
 
-    const fn around(
-        base: Vec3<$S>,
-        axis: Direction<$S>,
-        radius: $S,
-        low: $S,
-        high: $S,
-    ) -> Result<Self, CylinderError> {
-        if !base.has_finite_coordinates() || !ConstOps::<$S>::is_finite(radius) {
-            return Err(CylinderError::NotFinite);
+    const fn around(base: Vec3<$S>, radius: $S, caps: Planes<$S>) -> Result<Self, CylinderError> {
+        type Ops<S> = ConstOps<S>;
+        let Planes { low, high, .. } = caps;
+        let is_finite = base.has_finite_coordinates() && Ops::<$S>::is_finite(radius);
+        let has_ends = Ops::<$S>::is_finite(low) && Ops::<$S>::is_finite(high);
+        let has_near_ends = Ops::<$S>::is_within_reach(low) && Ops::<$S>::is_within_reach(high);
+        match () {
+            () if !is_finite => Err(CylinderError::NotFinite),
+            () if !Ops::<$S>::is_radius(radius) => Err(CylinderError::Radius),
+            () if !base.is_within_reach() => Err(CylinderError::TooFar),
+            () if !has_ends => Err(CylinderError::NotFinite),
+            () if !Ops::<$S>::is_below(low, high) => Err(CylinderError::Empty),
+            () if !has_near_ends => Err(CylinderError::TooFar),
+            () => {
+                let curvature = Ops::<$S>::inverse(radius);
+                Ok(Self { wall: Wall { base, radius, curvature }, caps })
+            }
         }
-        if !ConstOps::<$S>::is_radius(radius) {
-            return Err(CylinderError::Radius);
-        }
-        if !base.is_within_reach() {
-            return Err(CylinderError::TooFar);
-        }
-        if !(ConstOps::<$S>::is_finite(low) && ConstOps::<$S>::is_finite(high)) {
-            return Err(CylinderError::NotFinite);
-        }
-        if !ConstOps::<$S>::is_below(low, high) {
-            return Err(CylinderError::Empty);
-        }
-        if !(ConstOps::<$S>::is_within_reach(low)
-            && ConstOps::<$S>::is_within_reach(high))
-        {
-            return Err(CylinderError::TooFar);
-        }
-        let curvature = ConstOps::<$S>::inverse(radius);
-        let caps = Planes { normal: axis, low, high };
-        Ok(Self { wall: Wall { base, radius, curvature }, caps })
     }
 } }
 
@@ -205,13 +166,8 @@ impl<S: Scalar> Cylinder<S> {
         low: S,
         high: S,
     ) -> Result<Self, CylinderError> {
-        let [u, v] = at;
-        let base = match axis {
-            Axis::X => Vec3::new(S::ZERO, u, v),
-            Axis::Y => Vec3::new(u, S::ZERO, v),
-            Axis::Z => Vec3::new(u, v, S::ZERO),
-        };
-        Self::checked(base, Direction::along_axis(axis), radius, low, high)
+        let caps = Planes { normal: Direction::along_axis(axis), low, high };
+        Self::checked(Vec3::from(axis.placed(S::ZERO, at)), radius, caps)
     }
 
     /// A cylinder from the middle of one cap to the middle of the other.
@@ -222,11 +178,11 @@ impl<S: Scalar> Cylinder<S> {
         if !(from.is_finite() && to.is_finite()) {
             return Err(CylinderError::NotFinite);
         }
-        if !(from.max_abs().is_within_range() && to.max_abs().is_within_range()) {
+        if !(from.is_within_range() && to.is_within_range()) {
             return Err(CylinderError::TooFar);
         }
-        let (axis, [low, high]) = Direction::between(from, to).ok_or(CylinderError::Empty)?;
-        Self::checked(from, axis, radius, low, high)
+        let (normal, [low, high]) = Direction::between(from, to).ok_or(CylinderError::Empty)?;
+        Self::checked(from, radius, Planes { normal, low, high })
     }
 
     /// A cylinder on an axis that it may share with other solids, from one position along it to another.
@@ -235,36 +191,20 @@ impl<S: Scalar> Cylinder<S> {
     /// As [`on`](Self::on).
     pub fn on_axis(axis: &AxisLine<S>, radius: S, from: S, to: S) -> Result<Self, CylinderError> {
         let [low, high] = [from, to].map(|position| axis.offset(position));
-        Self::checked(axis.first(), axis.direction(), radius, low, high)
+        Self::checked(axis.first(), radius, Planes { normal: axis.direction(), low, high })
     }
 
-    fn checked(
-        base: Vec3<S>,
-        axis: Direction<S>,
-        radius: S,
-        low: S,
-        high: S,
-    ) -> Result<Self, CylinderError> {
-        if !(base.is_finite() && radius.is_finite()) {
-            return Err(CylinderError::NotFinite);
+    fn checked(base: Vec3<S>, radius: S, caps: Planes<S>) -> Result<Self, CylinderError> {
+        let Planes { low, high, .. } = caps;
+        match () {
+            () if !(base.is_finite() && radius.is_finite()) => Err(CylinderError::NotFinite),
+            () if !radius.is_radius() => Err(CylinderError::Radius),
+            () if !base.is_within_range() => Err(CylinderError::TooFar),
+            () if !(low.is_finite() && high.is_finite()) => Err(CylinderError::NotFinite),
+            () if low >= high => Err(CylinderError::Empty),
+            () if !(low.is_within_range() && high.is_within_range()) => Err(CylinderError::TooFar),
+            () => Ok(Self { wall: Wall { base, radius, curvature: radius.inverse() }, caps }),
         }
-        if !radius.is_radius() {
-            return Err(CylinderError::Radius);
-        }
-        if !base.max_abs().is_within_range() {
-            return Err(CylinderError::TooFar);
-        }
-        if !(low.is_finite() && high.is_finite()) {
-            return Err(CylinderError::NotFinite);
-        }
-        if low >= high {
-            return Err(CylinderError::Empty);
-        }
-        if !(low.is_within_range() && high.is_within_range()) {
-            return Err(CylinderError::TooFar);
-        }
-        let caps = Planes { normal: axis, low, high };
-        Ok(Self { wall: Wall { base, radius, curvature: radius.inverse() }, caps })
     }
 }
 

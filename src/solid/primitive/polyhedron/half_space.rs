@@ -7,24 +7,17 @@ use crate::scan::leaf;
 use crate::solid::Solid;
 use crate::span::{Face, Shape, SpanStack};
 
-/// Why a half-space can't be made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum HalfSpaceError {
-    /// A coordinate or the offset is infinite or NaN.
-    NotFinite,
-    /// The normal is zero.
-    ZeroNormal,
-    /// The offset is larger than [`Scalar::MAX_COORDINATE`].
-    TooFar,
+crate::error_text! {
+    /// Why a half-space can't be made.
+    pub enum HalfSpaceError {
+        /// A coordinate or the offset is infinite or NaN.
+        NotFinite => "a coordinate or the offset of the half-space is infinite or not a number",
+        /// The normal is zero.
+        ZeroNormal => "the normal of the half-space is zero",
+        /// The offset is larger than [`Scalar::MAX_COORDINATE`].
+        TooFar => "the half-space is too far away for its number type",
+    }
 }
-
-crate::error_text!(HalfSpaceError {
-    NotFinite => "a coordinate or the offset of the half-space is infinite or not a number",
-    ZeroNormal => "the normal of the half-space is zero",
-    TooFar => "the half-space is too far away for its number type",
-});
 
 per_scalar! { $S: impl[] HalfSpace<$S> {
     /// The points with `n·p ≤ offset`, where n is `normal` brought to length 1.
@@ -40,7 +33,7 @@ per_scalar! { $S: impl[] HalfSpace<$S> {
         if !ConstOps::<$S>::is_within_reach(offset) {
             return Err(HalfSpaceError::TooFar);
         }
-        match ConstOps::<$S>::normalized([normal.x, normal.y, normal.z]) {
+        match ConstOps::<$S>::normalized(normal.to_array()) {
             Some(normal) => Ok(Self { normal: Direction::<$S>::new(normal), offset }),
             None => Err(HalfSpaceError::ZeroNormal),
         }

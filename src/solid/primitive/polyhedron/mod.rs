@@ -61,33 +61,23 @@ pub struct Polyhedron<S: Scalar, const N: usize, F = [HalfSpace<S>; N]> {
     high: Vec3<S>,
 }
 
-/// Why a polyhedron can't be made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum PolyhedronError {
-    /// A coordinate is infinite or NaN.
-    NotFinite,
-    /// There are more faces than the type has room for.
-    TooManyFaces,
-    /// The faces have nothing in common, or nothing that has a volume.
-    Empty,
-    /// The faces don't close: a line can leave between them without end.
-    Unbounded,
-    /// The polygon or the corners aren't those of a convex solid, or coincide.
-    NotConvex,
-    /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
-    TooFar,
+crate::error_text! {
+    /// Why a polyhedron can't be made.
+    pub enum PolyhedronError {
+        /// A coordinate is infinite or NaN.
+        NotFinite => "a coordinate of the polyhedron is infinite or not a number",
+        /// There are more faces than the type has room for.
+        TooManyFaces => "the polyhedron has more faces than its type has room for",
+        /// The faces have nothing in common, or nothing that has a volume.
+        Empty => "the faces of the polyhedron have no volume in common",
+        /// The faces don't close: a line can leave between them without end.
+        Unbounded => "the faces of the polyhedron don't close",
+        /// The polygon or the corners aren't those of a convex solid, or coincide.
+        NotConvex => "the corners of the polyhedron coincide, or aren't those of a convex solid",
+        /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
+        TooFar => "the polyhedron is too far away for its number type",
+    }
 }
-
-crate::error_text!(PolyhedronError {
-    NotFinite => "a coordinate of the polyhedron is infinite or not a number",
-    TooManyFaces => "the polyhedron has more faces than its type has room for",
-    Empty => "the faces of the polyhedron have no volume in common",
-    Unbounded => "the faces of the polyhedron don't close",
-    NotConvex => "the corners of the polyhedron coincide, or aren't those of a convex solid",
-    TooFar => "the polyhedron is too far away for its number type",
-});
 
 per_scalar! { $S: impl[const N: usize] Polyhedron<$S, N> {
     /// What half-spaces have in common.

@@ -22,27 +22,19 @@ pub struct Slab<S: Scalar> {
     planes: Planes<S>,
 }
 
-/// Why a slab can't be made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum SlabError {
-    /// A coordinate or an offset is infinite or NaN.
-    NotFinite,
-    /// The normal is zero.
-    ZeroNormal,
-    /// The low offset is not below the high one.
-    Empty,
-    /// An offset is larger than [`Scalar::MAX_COORDINATE`].
-    TooFar,
+crate::error_text! {
+    /// Why a slab can't be made.
+    pub enum SlabError {
+        /// A coordinate or an offset is infinite or NaN.
+        NotFinite => "a coordinate or an offset of the slab is infinite or not a number",
+        /// The normal is zero.
+        ZeroNormal => "the normal of the slab is zero",
+        /// The low offset is not below the high one.
+        Empty => "the low offset of the slab is not below the high one",
+        /// An offset is larger than [`Scalar::MAX_COORDINATE`].
+        TooFar => "the slab is too far away for its number type",
+    }
 }
-
-crate::error_text!(SlabError {
-    NotFinite => "a coordinate or an offset of the slab is infinite or not a number",
-    ZeroNormal => "the normal of the slab is zero",
-    Empty => "the low offset of the slab is not below the high one",
-    TooFar => "the slab is too far away for its number type",
-});
 
 per_scalar! { $S: impl[] Slab<$S> {
     /// The points with `low ≤ x ≤ high`.
@@ -75,15 +67,11 @@ per_scalar! { $S: impl[] Slab<$S> {
     ///
     /// # Errors
     /// As [`along_x`](Self::along_x), and [`SlabError::ZeroNormal`].
-    pub const fn new(
-        normal: Vec3<$S>,
-        low: $S,
-        high: $S,
-    ) -> Result<Self, SlabError> {
+    pub const fn new(normal: Vec3<$S>, low: $S, high: $S) -> Result<Self, SlabError> {
         if !normal.has_finite_coordinates() {
             return Err(SlabError::NotFinite);
         }
-        match ConstOps::<$S>::normalized([normal.x, normal.y, normal.z]) {
+        match ConstOps::<$S>::normalized(normal.to_array()) {
             Some(normal) => Self::with_normal(Direction::<$S>::new(normal), low, high),
             None => Err(SlabError::ZeroNormal),
         }
@@ -95,16 +83,14 @@ per_scalar! { $S: impl[] Slab<$S> {
         low: $S,
         high: $S,
     ) -> Result<Self, SlabError> {
-        if !(ConstOps::<$S>::is_finite(low) && ConstOps::<$S>::is_finite(high)) {
-            return Err(SlabError::NotFinite);
+        type Ops<S> = ConstOps<S>;
+        let is_near = Ops::<$S>::is_within_reach(low) && Ops::<$S>::is_within_reach(high);
+        match () {
+            () if !(Ops::<$S>::is_finite(low) && Ops::<$S>::is_finite(high)) => Err(SlabError::NotFinite),
+            () if !Ops::<$S>::is_below(low, high) => Err(SlabError::Empty),
+            () if !is_near => Err(SlabError::TooFar),
+            () => Ok(Self { planes: Planes { normal, low, high } }),
         }
-        if !ConstOps::<$S>::is_below(low, high) {
-            return Err(SlabError::Empty);
-        }
-        if !(ConstOps::<$S>::is_within_reach(low) && ConstOps::<$S>::is_within_reach(high)) {
-            return Err(SlabError::TooFar);
-        }
-        Ok(Self { planes: Planes { normal, low, high } })
     }
 } }
 
@@ -130,16 +116,12 @@ impl<S: Scalar> Slab<S> {
     }
 
     fn checked(normal: Direction<S>, low: S, high: S) -> Result<Self, SlabError> {
-        if !(low.is_finite() && high.is_finite()) {
-            return Err(SlabError::NotFinite);
+        match () {
+            () if !(low.is_finite() && high.is_finite()) => Err(SlabError::NotFinite),
+            () if low >= high => Err(SlabError::Empty),
+            () if !(low.is_within_range() && high.is_within_range()) => Err(SlabError::TooFar),
+            () => Ok(Self { planes: Planes { normal, low, high } }),
         }
-        if low >= high {
-            return Err(SlabError::Empty);
-        }
-        if !(low.is_within_range() && high.is_within_range()) {
-            return Err(SlabError::TooFar);
-        }
-        Ok(Self { planes: Planes { normal, low, high } })
     }
 }
 

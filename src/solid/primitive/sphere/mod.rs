@@ -22,47 +22,32 @@ pub struct Sphere<S: Scalar> {
     curvature: S::Scale,
 }
 
-/// Why a sphere can't be made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum SphereError {
-    /// A coordinate or the radius is infinite or NaN.
-    NotFinite,
-    /// The radius is zero, negative, or not between [`Scalar::MIN_RADIUS`] and [`Scalar::MAX_COORDINATE`].
-    Radius,
-    /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
-    TooFar,
+crate::error_text! {
+    /// Why a sphere can't be made.
+    pub enum SphereError {
+        /// A coordinate or the radius is infinite or NaN.
+        NotFinite => "a coordinate or the radius of the sphere is infinite or not a number",
+        /// The radius is zero, negative, or not between [`Scalar::MIN_RADIUS`] and [`Scalar::MAX_COORDINATE`].
+        Radius => "the radius of the sphere is not positive, or out of its number type's range",
+        /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
+        TooFar => "the sphere is too far away for its number type",
+    }
 }
-
-crate::error_text!(SphereError {
-    NotFinite => "a coordinate or the radius of the sphere is infinite or not a number",
-    Radius => "the radius of the sphere is not positive, or out of its number type's range",
-    TooFar => "the sphere is too far away for its number type",
-});
 
 per_scalar! { $S: impl[] Sphere<$S> {
     /// A sphere around `center`.
     ///
     /// # Errors
     /// [`SphereError::NotFinite`], [`SphereError::Radius`], [`SphereError::TooFar`].
-    pub const fn new(
-        center: Vec3<$S>,
-        radius: $S,
-    ) -> Result<Self, SphereError> {
-        if !center.has_finite_coordinates() || !ConstOps::<$S>::is_finite(radius) {
-            return Err(SphereError::NotFinite);
+    pub const fn new(center: Vec3<$S>, radius: $S) -> Result<Self, SphereError> {
+        type Ops<S> = ConstOps<S>;
+        let is_finite = center.has_finite_coordinates() && Ops::<$S>::is_finite(radius);
+        match () {
+            () if !is_finite => Err(SphereError::NotFinite),
+            () if !Ops::<$S>::is_radius(radius) => Err(SphereError::Radius),
+            () if !center.is_within_reach() => Err(SphereError::TooFar),
+            () => Ok(Self { ball: Ball { center, radius }, curvature: Ops::<$S>::inverse(radius) }),
         }
-        if !ConstOps::<$S>::is_radius(radius) {
-            return Err(SphereError::Radius);
-        }
-        if !center.is_within_reach() {
-            return Err(SphereError::TooFar);
-        }
-        Ok(Self {
-            ball: Ball { center, radius },
-            curvature: ConstOps::<$S>::inverse(radius),
-        })
     }
 } }
 
@@ -73,16 +58,12 @@ impl<S: Scalar> Sphere<S> {
     /// # Errors
     /// As [`new`](Self::new).
     pub fn around(center: Vec3<S>, radius: S) -> Result<Self, SphereError> {
-        if !(center.is_finite() && radius.is_finite()) {
-            return Err(SphereError::NotFinite);
+        match () {
+            () if !(center.is_finite() && radius.is_finite()) => Err(SphereError::NotFinite),
+            () if !radius.is_radius() => Err(SphereError::Radius),
+            () if !center.is_within_range() => Err(SphereError::TooFar),
+            () => Ok(Self { ball: Ball { center, radius }, curvature: radius.inverse() }),
         }
-        if !radius.is_radius() {
-            return Err(SphereError::Radius);
-        }
-        if !center.max_abs().is_within_range() {
-            return Err(SphereError::TooFar);
-        }
-        Ok(Self { ball: Ball { center, radius }, curvature: radius.inverse() })
     }
 }
 

@@ -51,30 +51,21 @@ pub struct Torus<S: Scalar> {
     ring: Ring<S>,
 }
 
-/// Why a torus can't be made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum TorusError {
-    /// A coordinate or a radius is infinite or NaN.
-    NotFinite,
-    /// The axis is zero.
-    ZeroAxis,
-    /// A radius is zero, negative, or not between [`Scalar::MIN_RADIUS`] and [`Scalar::MAX_COORDINATE`].
-    Radius,
-    /// The tube is as wide as its ring, or wider.
-    Tube,
-    /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
-    TooFar,
+crate::error_text! {
+    /// Why a torus can't be made.
+    pub enum TorusError {
+        /// A coordinate or a radius is infinite or NaN.
+        NotFinite => "a coordinate or a radius of the torus is infinite or not a number",
+        /// The axis is zero.
+        ZeroAxis => "the axis of the torus is zero",
+        /// A radius is zero, negative, or not between [`Scalar::MIN_RADIUS`] and [`Scalar::MAX_COORDINATE`].
+        Radius => "a radius of the torus is not positive, or out of its number type's range",
+        /// The tube is as wide as its ring, or wider.
+        Tube => "the tube of the torus is as wide as its ring, or wider",
+        /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
+        TooFar => "the torus is too far away for its number type",
+    }
 }
-
-crate::error_text!(TorusError {
-    NotFinite => "a coordinate or a radius of the torus is infinite or not a number",
-    ZeroAxis => "the axis of the torus is zero",
-    Radius => "a radius of the torus is not positive, or out of its number type's range",
-    Tube => "the tube of the torus is as wide as its ring, or wider",
-    TooFar => "the torus is too far away for its number type",
-});
 
 leaf!([S: Scalar] Torus<S>);
 
@@ -113,41 +104,30 @@ per_scalar! { $S: impl[] Torus<$S> {
     /// # Errors
     /// As [`along_x`](Self::along_x), and [`TorusError::ZeroAxis`].
     pub const fn new(
-        center: Vec3<$S>,
-        axis: Vec3<$S>,
-        ring: $S,
-        tube: $S,
+        center: Vec3<$S>, axis: Vec3<$S>, ring: $S, tube: $S,
     ) -> Result<Self, TorusError> {
         if !axis.has_finite_coordinates() {
             return Err(TorusError::NotFinite);
         }
-        match ConstOps::<$S>::normalized([axis.x, axis.y, axis.z]) {
+        match ConstOps::<$S>::normalized(axis.to_array()) {
             Some(axis) => Self::with_axis(center, Direction::<$S>::new(axis), ring, tube),
             None => Err(TorusError::ZeroAxis),
         }
     }
 
     const fn with_axis(
-        center: Vec3<$S>,
-        axis: Direction<$S>,
-        ring: $S,
-        tube: $S,
+        center: Vec3<$S>, axis: Direction<$S>, ring: $S, tube: $S,
     ) -> Result<Self, TorusError> {
         type Ops<S> = ConstOps<S>;
         let is_finite = Ops::<$S>::is_finite(ring) && Ops::<$S>::is_finite(tube);
-        if !(center.has_finite_coordinates() && is_finite) {
-            return Err(TorusError::NotFinite);
+        let has_radii = Ops::<$S>::is_radius(ring) && Ops::<$S>::is_radius(tube);
+        match () {
+            () if !(center.has_finite_coordinates() && is_finite) => Err(TorusError::NotFinite),
+            () if !has_radii => Err(TorusError::Radius),
+            () if !Ops::<$S>::is_below(tube, ring) => Err(TorusError::Tube),
+            () if !center.is_within_reach() => Err(TorusError::TooFar),
+            () => Ok(Self { ring: Ring { center, axis, radius: ring, tube } }),
         }
-        if !(Ops::<$S>::is_radius(ring) && Ops::<$S>::is_radius(tube)) {
-            return Err(TorusError::Radius);
-        }
-        if !Ops::<$S>::is_below(tube, ring) {
-            return Err(TorusError::Tube);
-        }
-        if !center.is_within_reach() {
-            return Err(TorusError::TooFar);
-        }
-        Ok(Self { ring: Ring { center, axis, radius: ring, tube } })
     }
 } }
 
@@ -174,19 +154,14 @@ impl<S: Scalar> Torus<S> {
     }
 
     fn checked(center: Vec3<S>, axis: Direction<S>, ring: S, tube: S) -> Result<Self, TorusError> {
-        if !(center.is_finite() && ring.is_finite() && tube.is_finite()) {
-            return Err(TorusError::NotFinite);
+        let is_finite = center.is_finite() && ring.is_finite() && tube.is_finite();
+        match () {
+            () if !is_finite => Err(TorusError::NotFinite),
+            () if !(ring.is_radius() && tube.is_radius()) => Err(TorusError::Radius),
+            () if tube >= ring => Err(TorusError::Tube),
+            () if !center.is_within_range() => Err(TorusError::TooFar),
+            () => Ok(Self { ring: Ring { center, axis, radius: ring, tube } }),
         }
-        if !(ring.is_radius() && tube.is_radius()) {
-            return Err(TorusError::Radius);
-        }
-        if tube >= ring {
-            return Err(TorusError::Tube);
-        }
-        if !center.max_abs().is_within_range() {
-            return Err(TorusError::TooFar);
-        }
-        Ok(Self { ring: Ring { center, axis, radius: ring, tube } })
     }
 }
 
