@@ -23,7 +23,7 @@ use testkit::ulp::percentiles;
 use testkit::vector::{V, along, cross, dot, sub, times, unit};
 
 /// Rays of a kind: 10⁵ of them with `--ignored`.
-const FEW: usize = 2000;
+const FEW: usize = 1000;
 const MANY: usize = 100_000;
 
 /// By how much of its size a solid is grown and shrunk.

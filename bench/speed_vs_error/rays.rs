@@ -57,7 +57,7 @@ impl Group {
         (Self::FixedShort, "fixed_short"),
         (Self::Invalid, "invalid"),
         (Self::Sphere, "sphere"),
-        (Self::SphereInside, "sphere_inside"),
+        (Self::SphereInside, "sphere_in"),
         (Self::SphereGraze, "sphere_graze"),
         (Self::SphereNear, "sphere_near"),
     ];
