@@ -15,7 +15,7 @@ use crate::scalar::Scalar;
 /// use scancsg::geom::vec3;
 /// use scancsg::solid::{HalfSpace, Intersection, Sphere};
 ///
-/// const DOME: Intersection<Sphere<f32>, HalfSpace<f32>> = Intersection::of(
+/// const DOME: Intersection<Sphere<f32>, HalfSpace<f32>> = Intersection::new(
 ///     constant!(Sphere::<f32>::new(vec3(0.0, 0.0, 0.0), 1.0)),
 ///     constant!(HalfSpace::<f32>::new(vec3(0.0, 0.0, -1.0), 0.0)),
 /// );

@@ -22,7 +22,7 @@
 //! | to | use |
 //! |---|---|
 //! | make a part | [`Cuboid`], [`Cylinder`], [`Cone`], [`Sphere`], [`Torus`], [`Polyhedron`], [`Pipe`] |
-//! | cut a part | [`HalfSpace`], [`Slab`], [`section`](Section) |
+//! | cut a part | [`HalfSpace`], [`Slab`], `section` of the module `inspect` |
 //! | combine parts | `a \| b`, `a & b`, `a - b`; arrays and [`Many`] for unions of one kind |
 //! | colour, move or turn a part | [`Painted`], [`Placed`] |
 //! | scale, mirror or shear a part | [`Scaled`] |

@@ -21,6 +21,7 @@ for_every_number!(
     pictures_along_faces,
     flush_with_a_cylinder,
     bounds_hold_all_corners,
+    flat_solids_are_seen,
     bad_boxes,
     bad_half_spaces,
     bad_polyhedra,
@@ -335,6 +336,59 @@ fn bounds_hold_all_corners<S: Tested>() {
     });
 }
 
+/// A slab under a roof of four faces, and a pyramid: flatter and flatter, as far as the number type knows them.
+fn flat_solids_are_seen<S: Tested>() {
+    let mut seen = 0;
+    for power in 1..9 {
+        let slope = 0.7 * 10f64.powi(-power);
+        let (roof, thin) = (S::near(slope), slope.min(0.01));
+        // The apex must be several units above the eaves.
+        if roof.to_f64() < 64.0 * S::UNIT {
+            continue;
+        }
+        let half =
+            |normal: [S; 3], offset: S| HalfSpace::facing(Vec3::from(normal), offset).unwrap();
+        let (o, one) = (S::ZERO, S::ONE);
+        let down = roof.negated();
+        let faces = [
+            half([roof, o, one], roof),
+            half([down, o, one], roof),
+            half([o, roof, one], roof),
+            half([o, down, one], roof),
+            half([one, o, o], one),
+            half([one.negated(), o, o], one),
+            half([o, one, o], one),
+            half([o, one.negated(), o], one),
+            half([o, o, one.negated()], S::near(thin)),
+        ];
+        let solid = Polyhedron::<S, 9>::bounded_by(faces).unwrap();
+        let Bounds::Box { low, high } = solid.bounds() else { panic!("no box") };
+        // The normals are rounded, so the roof's height is known to their units only.
+        let apex = slope - 4.0 * S::UNIT.max(1e-9);
+        assert!(high.z.to_f64() >= apex && low.z.to_f64() <= -thin, "{slope}: {low:?} {high:?}");
+        assert!(low.x.to_f64() <= -0.99 && high.y.to_f64() >= 0.99, "{slope}: {low:?} {high:?}");
+        let h = S::near(slope);
+        let corner = |i: usize| match i & 4 {
+            0 => {
+                let sign = |bit| if i & bit == 0 { one.negated() } else { one };
+                vec3(sign(1), sign(2), o)
+            }
+            _ => vec3(o, o, h),
+        };
+        let pyramid = Polyhedron::<S, 6>::with_corners(std::array::from_fn(corner)).unwrap();
+        let Bounds::Box { low, high } = pyramid.bounds() else { panic!("no box") };
+        // Offsets are rounded: that moves the eaves by as much more as the faces are flat.
+        let reach = 1.0 - 2.0 * S::UNIT / slope;
+        let [apex, east, south] = [high.z, high.x, low.y].map(S::to_f64);
+        assert!(
+            apex >= 0.9 * slope && east >= reach && south <= -reach,
+            "{slope}: {low:?} {high:?}"
+        );
+        seen += 1;
+    }
+    assert!(seen >= 1, "{seen}");
+}
+
 fn bad_boxes<S: Tested>() {
     let at = |x: f64| vector::<S>([x; 3]);
     assert_eq!(Cuboid::between(at(1.0), at(1.0)), Err(CuboidError::Empty));
@@ -419,10 +473,16 @@ fn bad_polyhedra<S: Tested>() {
         assert_eq!(ends.map(|_| ()), Err(NotFinite));
         polygon[2][1] = none;
         let points = Polyhedron::<S, 6>::extruded(Axis::X, polygon, S::ZERO, S::ONE);
-        assert!(points.is_err());
+        assert_eq!(points.map(|_| ()), Err(NotFinite));
         let mut corners = [Vec3::ZERO; 8];
         corners[3].x = none;
         assert!(Polyhedron::<S, 6>::with_corners(corners).is_err());
     }
     assert!(Polyhedron::<S, 6>::with_corners([Vec3::ZERO; 8]).is_err());
+    // A box with one corner lifted: its faces aren't flat.
+    let corner = |i: usize| vector::<S>([1, 2, 4].map(|bit| if i & bit == 0 { -1.0 } else { 1.0 }));
+    let mut corners = std::array::from_fn(corner);
+    assert!(Polyhedron::<S, 6>::with_corners(corners).is_ok());
+    corners[7].z = S::near(1.25);
+    assert_eq!(Polyhedron::<S, 6>::with_corners(corners).map(|_| ()), Err(NotConvex));
 }

@@ -3,14 +3,15 @@
 use crate::number::{Tested, vector};
 use crate::pictures::{direction, held};
 use proptest::prelude::*;
-use scancsg::geom::{AffineMap, Axis, Ray, Vec3};
+use scancsg::geom::{AffineMap, Axis, Pose, Ray, Vec3};
 use scancsg::solid::{
-    Cone, Cuboid, Cylinder, HalfSpace, Polyhedron, RayCast, Scaled, Slab, Solid, Sphere, Torus,
+    Cone, Cuboid, Cylinder, HalfSpace, Placed, Polyhedron, RayCast, Scaled, Slab, Solid, Sphere,
+    Torus,
 };
 use scancsg::span::SpanList;
 use std::cell::Cell;
 
-for_every_number!(convex_solids_are_left, cut_solids_are_left);
+for_every_number!(convex_solids_are_left, placed_solids_are_left, cut_solids_are_left);
 
 /// Rays a solid and number type.
 const CASES: u32 = 2000;
@@ -126,6 +127,36 @@ fn convex_solids_are_left<S: Tested>() {
         }
     });
     assert!(met.get() > 5 * CASES, "{met:?}");
+}
+
+/// Turned, a solid's faces are known as well as its size allows: `leave` is told how large it is.
+fn placed_solids_are_left<S: Tested>() {
+    let met = Cell::new(0);
+    proptest!(ProptestConfig::with_cases(CASES), |(
+        half in prop_oneof![0.1..2.0, 2.0..100.0], axis in direction::<S>(), angle in -3.0..3.0,
+        (way, off, on) in aim::<S>(),
+    )| {
+        let h = S::near(half);
+        let cuboid = Cuboid::around(Vec3::ZERO, Vec3::new(h, h, h)).unwrap();
+        let pose = Pose::about(vector(axis), S::near(angle)).unwrap();
+        let solid = Placed::new(cuboid, pose);
+        let mut list = SpanList::<S, 4>::new();
+        let from: V = std::array::from_fn(|i| 3.0 * half * way[i]);
+        let to: V = std::array::from_fn(|i| half * off[i] - from[i]);
+        let longest = to.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+        let to = to.map(|x| x / longest);
+        let Ok(ray) = Ray::new(vector(from), vector(to)) else { return Ok(()) };
+        let Some(hit) = solid.hit(&ray, &mut list) else { return Ok(()) };
+        let on = vector::<S>(on);
+        if hit.inside || hit.normal.dot(on).to_f64() < 0.01 {
+            return Ok(());
+        }
+        let Ok(next) = hit.leave(on, h.plus(h)) else { return Ok(()) };
+        met.set(met.get() + 1);
+        let again = solid.hit(&next, &mut list);
+        prop_assert!(again.is_none(), "{:?} behind {:?}", again, hit);
+    });
+    assert!(met.get() > CASES / 5, "{met:?}");
 }
 
 /// In a bore, what is met next lies on the chord: never at the start.

@@ -86,6 +86,18 @@ impl<O, L, R> Boolean<O, L, R> {
         &self.left
     }
 
+    /// The first operand, to change it: to move a part, say.
+    #[must_use]
+    pub const fn left_mut(&mut self) -> &mut L {
+        &mut self.left
+    }
+
+    /// The second operand, to change it.
+    #[must_use]
+    pub const fn right_mut(&mut self) -> &mut R {
+        &mut self.right
+    }
+
     /// The second operand.
     #[must_use]
     pub const fn right(&self) -> &R {

@@ -24,9 +24,14 @@ impl<S: Scalar> Hit<S> {
     /// A ray from the point along `direction` that doesn't meet the same face again at once: for shadows,
     /// reflections, and rays that go on through the face.
     ///
-    /// Its start is moved off the face, to the side that `direction` points to: by 8 ε of `size`, or by 4 units
-    /// in fixed point. That is an upper bound of the point's rounding error where no coordinate of the solid
-    /// and no radius of its faces is larger than `size`.
+    /// Its start is moved off the face, to the side that `direction` points to: by 8 ε of `size` in floating
+    /// point, by 4 units and 2 more for each 1 of `size` in fixed point. That is an upper bound of the point's
+    /// rounding error where no coordinate of the solid and no radius of its faces is larger than `size`, and
+    /// for solids that are [`Placed`](crate::solid::Placed).
+    ///
+    /// It isn't for a solid that [`Scaled`](crate::solid::Scaled) enlarges in fixed point, because a unit is as
+    /// much larger there, nor for a torus whose hole is smaller than 10⁻³ of its ring: see
+    /// [`leave_by`](Self::leave_by).
     ///
     /// ```
     /// use scancsg::geom::{Ray, vec3};
@@ -46,7 +51,15 @@ impl<S: Scalar> Hit<S> {
     /// As [`Ray::new`].
     pub fn leave(&self, direction: Vec3<S>, size: S) -> Result<Ray<S>, RayError> {
         let size = size.max(self.point.max_abs());
-        let by = S::from_wide(S::uncertainty(size.wide()));
+        let by = S::from_wide(S::uncertainty(size.wide())).plus(S::ROUNDING.times(size));
+        self.leave_by(direction, by)
+    }
+
+    /// As [`leave`](Self::leave), with the start moved by a length of your choice.
+    ///
+    /// # Errors
+    /// As [`Ray::new`].
+    pub fn leave_by(&self, direction: Vec3<S>, by: S) -> Result<Ray<S>, RayError> {
         let by = if self.normal.dot(direction) < S::ZERO { by.negated() } else { by };
         Ray::new(self.point + self.normal * by, direction)
     }

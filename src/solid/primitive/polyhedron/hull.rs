@@ -1,6 +1,7 @@
 //! The corners of a convex polyhedron from its faces, in double precision: when it is made, also in constants.
 
-use super::PolyhedronError;
+use super::double::Double;
+use super::error::PolyhedronError;
 use crate::geom::Axis;
 use crate::scalar::{Grid, normalized};
 
@@ -51,6 +52,9 @@ pub(super) const fn prism<const N: usize, const M: usize>(
         twice_area += u * next_v - v * next_u;
         points[i] = axis.placed(0.0, [u, v]);
         i += 1;
+    }
+    if !twice_area.is_finite() {
+        return Err(PolyhedronError::NotFinite);
     }
     let mut planes = [UNUSED; N];
     let mut i = 0;
@@ -119,19 +123,30 @@ const fn touching(
     face: &[[f64; 3]],
     grid: Grid,
 ) -> Result<Plane, PolyhedronError> {
+    if !(outward[0] + outward[1] + outward[2]).is_finite() {
+        return Err(PolyhedronError::NotFinite);
+    }
     let Some([x, y, z]) = normalized(outward) else { return Err(PolyhedronError::NotConvex) };
     let normal = [grid.unit(x), grid.unit(y), grid.unit(z)];
-    let (most, of_face) = (support(normal, points), support(normal, face));
-    // What the normal's rounding turns, as seen over the largest distance.
-    let size = most.abs() + support([-normal[0], -normal[1], -normal[2]], points).abs();
-    if most - of_face > grid.turn() * size {
+    let [inner_x, inner_y, inner_z] = [-normal[0], -normal[1], -normal[2]];
+    let (most, least) = (support(normal, points), -support([inner_x, inner_y, inner_z], face));
+    // What rounding turns the normal by, and the corners, as seen over the largest distance.
+    let (mut size, mut i) = (0.0f64, 0);
+    while i < points.len() {
+        size = size.max(max_abs(points[i]));
+        i += 1;
+    }
+    if most - least > 4.0 * (grid.turn() * size + grid.quantum()) {
         return Err(PolyhedronError::NotConvex);
     }
     Ok((normal, grid.length(most)))
 }
 
-/// Normals whose vector product, or whose determinant, is below this count as parallel.
-const PARALLEL: f64 = 1e-10;
+/// Below this, a vector product or a determinant of normals is computed in twice the precision.
+const SMALL: f64 = 1e-3;
+
+/// Below this, it is nothing but what the normals themselves are rounded by.
+const PARALLEL: f64 = 1e-28;
 
 const fn dot([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> f64 {
     a * x + b * y + c * z
@@ -268,8 +283,8 @@ const fn common_point(faces: &[Plane], [i, j, k]: [usize; 3]) -> Option<([f64; 3
     let ((n0, d0), (n1, d1), (n2, d2)) = (faces[i], faces[j], faces[k]);
     let [c0, c1, c2] = [cross(n1, n2), cross(n2, n0), cross(n0, n1)];
     let determinant = dot(n0, c0);
-    if determinant.abs() < PARALLEL {
-        return None;
+    if determinant.abs() < SMALL {
+        return common_point_closely([(n0, d0), (n1, d1), (n2, d2)]);
     }
     let mut point = [0.0; 3];
     let mut axis = 0;
@@ -281,18 +296,39 @@ const fn common_point(faces: &[Plane], [i, j, k]: [usize; 3]) -> Option<([f64; 3
     Some((point, 1e-14 * size / determinant.abs()))
 }
 
+/// The same for planes that are nearly parallel, in twice the precision.
+const fn common_point_closely(
+    [(n0, d0), (n1, d1), (n2, d2)]: [Plane; 3],
+) -> Option<([f64; 3], f64)> {
+    let [c0, c1, c2] = [Double::cross(n1, n2), Double::cross(n2, n0), Double::cross(n0, n1)];
+    let determinant = c0[0].times(n0[0]).plus(c0[1].times(n0[1])).plus(c0[2].times(n0[2]));
+    if determinant.high.abs() < PARALLEL {
+        return None;
+    }
+    let mut point = [0.0; 3];
+    let mut axis = 0;
+    while axis < 3 {
+        let sum = c0[axis].times(d0).plus(c1[axis].times(d1)).plus(c2[axis].times(d2));
+        point[axis] = sum.over(determinant);
+        axis += 1;
+    }
+    let size = d0.abs() + d1.abs() + d2.abs() + max_abs(point);
+    Some((point, 1e-15 * size + 1e-29 * size / determinant.high.abs()))
+}
+
 /// Whether no way leads out of all faces: if there is one, there is one along two of them.
 const fn is_bounded(faces: &[Plane]) -> bool {
     let (mut i, mut j) = (0, 1);
     let mut is_across = false;
     while i + 1 < faces.len() {
-        let [x, y, z] = cross(faces[i].0, faces[j].0);
+        let [x, y, z] = Double::cross(faces[i].0, faces[j].0);
+        let [x, y, z] = [x.high, y.high, z.high];
         let length = max_abs([x, y, z]);
-        if length > PARALLEL {
+        if length > 1e-15 {
             is_across = true;
             let way = [x / length, y / length, z / length];
             let back = [-way[0], -way[1], -way[2]];
-            if leads_out(faces, way) || leads_out(faces, back) {
+            if leads_out(faces, [i, j], way) || leads_out(faces, [i, j], back) {
                 return false;
             }
         }
@@ -305,10 +341,11 @@ const fn is_bounded(faces: &[Plane]) -> bool {
     is_across
 }
 
-const fn leads_out(faces: &[Plane], way: [f64; 3]) -> bool {
+/// Whether a way along two of the faces leads out of all others.
+const fn leads_out(faces: &[Plane], along: [usize; 2], way: [f64; 3]) -> bool {
     let mut i = 0;
     while i < faces.len() {
-        if dot(faces[i].0, way) > 1e-12 {
+        if i != along[0] && i != along[1] && dot(faces[i].0, way) > 1e-15 {
             return false;
         }
         i += 1;

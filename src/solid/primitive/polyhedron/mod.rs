@@ -1,10 +1,13 @@
 //! The convex polyhedron.
 
+mod double;
+mod error;
 mod half_space;
 mod hull;
 mod orthographic;
 mod perspective;
 
+pub use error::PolyhedronError;
 pub use half_space::HalfSpaceError;
 
 use crate::geom::{Axis, Direction, Line, Vec3};
@@ -19,7 +22,7 @@ use hull::Hull;
 /// A convex polyhedron of up to `N` faces: what all of its half-spaces have in common. Use it for prisms,
 /// wedges, frustums and convex hulls.
 ///
-/// It owns its faces, or borrows a slice of them that several solids may share (see [`over`](Self::over)).
+/// It owns its faces, or borrows a slice of them that several solids may share (see [`bounded_by`](Self::bounded_by)).
 /// Redundant faces are harmless.
 ///
 /// ```
@@ -30,7 +33,7 @@ use hull::Hull;
 /// /// A hexagonal nut without its hole, 2 wide across its corners.
 /// const NUT: Polyhedron<f32, 8> = constant!(Polyhedron::<f32, 8>::prism(
 ///     Axis::Z,
-///     &[[1.0, 0.0], [0.5, 0.866], [-0.5, 0.866], [-1.0, 0.0], [-0.5, -0.866], [0.5, -0.866]],
+///     [[1.0, 0.0], [0.5, 0.866], [-0.5, 0.866], [-1.0, 0.0], [-0.5, -0.866], [0.5, -0.866]],
 ///     0.0,
 ///     0.5,
 /// ));
@@ -61,29 +64,11 @@ pub struct Polyhedron<S: Scalar, const N: usize, F = [HalfSpace<S>; N]> {
     high: Vec3<S>,
 }
 
-crate::error_text! {
-    /// Why a polyhedron can't be made.
-    pub enum PolyhedronError {
-        /// A coordinate is infinite or NaN.
-        NotFinite => "a coordinate of the polyhedron is infinite or not a number",
-        /// There are more faces than the type has room for.
-        TooManyFaces => "the polyhedron has more faces than its type has room for",
-        /// The faces have nothing in common, or nothing that has a volume.
-        Empty => "the faces of the polyhedron have no volume in common",
-        /// The faces don't close: a line can leave between them without end.
-        Unbounded => "the faces of the polyhedron don't close",
-        /// The polygon or the corners aren't those of a convex solid, or coincide.
-        NotConvex => "the corners of the polyhedron coincide, or aren't those of a convex solid",
-        /// A coordinate is larger than [`Scalar::MAX_COORDINATE`].
-        TooFar => "the polyhedron is too far away for its number type",
-    }
-}
-
 per_scalar! { $S: impl[const N: usize] Polyhedron<$S, N> {
     /// What half-spaces have in common.
     ///
-    /// Faces that meet at less than 10⁻⁹ radians count as parallel. The corners are computed in `f64`, in
-    /// N⁴ steps: better in a constant.
+    /// What is thinner than 10⁻¹³ of its distance from the origin is empty. The corners are computed in twice the
+    /// precision of `f64`, in N⁴ steps: better in a constant, for up to some 30 faces.
     ///
     /// # Errors
     /// [`PolyhedronError::Empty`], [`PolyhedronError::Unbounded`], [`PolyhedronError::TooFar`].
@@ -195,10 +180,13 @@ impl<S: Scalar, const N: usize> Polyhedron<S, N> {
 
     fn rounded(hull: Hull<N>) -> Result<Self, PolyhedronError> {
         let [low, high] = [hull.low, hull.high].map(|corner| Vec3::from(corner.map(S::from_f64)));
-        let faces = hull.planes.map(|(normal, offset)| HalfSpace {
-            normal: Direction::from_unit(normal.map(S::Unit::from_f64)),
-            offset: S::from_f64(offset),
-        });
+        let mut faces = [HalfSpace { normal: Direction::Z, offset: S::ZERO }; N];
+        for (face, (normal, offset)) in faces.iter_mut().zip(hull.planes).take(hull.count) {
+            *face = HalfSpace {
+                normal: Direction::from_unit(normal.map(S::Unit::from_f64)),
+                offset: S::from_f64(offset),
+            };
+        }
         Ok(Self { faces, count: hull.count as u16, low, high })
     }
 }
