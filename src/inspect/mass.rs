@@ -39,7 +39,8 @@ use crate::span::SpanList;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct MassProperties<S: Scalar> {
-    /// The volume.
+    /// The volume, in cubes of the scene's unit of length. `S::from_wide` makes it a number of the scene's type, and
+    /// `to_f64` (of [`Number`](crate::scalar::Number)) one of double precision.
     pub volume: S::Wide,
     /// How far off the volume may be: an estimate, the largest difference from that of six parts of the rays.
     pub volume_error: S::Wide,

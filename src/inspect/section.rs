@@ -7,6 +7,9 @@ pub type Section<T, C> = Difference<T, Painted<C>>;
 
 /// What is left of `solid` outside of `cut`, with the cut faces in a colour: for a look inside of a part.
 ///
+/// Cut by a [`HalfSpace`](crate::solid::HalfSpace) for one flat section: `HalfSpace::above(Axis::Z, offset)`
+/// takes away all that lies above.
+///
 /// The cut faces are faces of `cut`, seen from their other side: flat with the normal of the plane if that is
 /// a slab, and as exact as any face. Faces of `solid` keep their colours. Where both coincide, the face is
 /// that of `solid`. In a picture, a section costs what a [`Difference`] costs.
@@ -15,7 +18,7 @@ pub type Section<T, C> = Difference<T, Painted<C>>;
 /// use scancsg::constant;
 /// use scancsg::geom::{Ray, vec3};
 /// use scancsg::inspect::{Section, section};
-/// use scancsg::solid::{Cylinder, Difference, Painted, RayCast, Rgb, Slab, Solid};
+/// use scancsg::solid::{Cylinder, Difference, HalfSpace, Painted, RayCast, Rgb, Solid};
 /// use scancsg::span::SpanList;
 ///
 /// type Tube = Difference<Cylinder<f32>, Cylinder<f32>>;
@@ -26,9 +29,10 @@ pub type Section<T, C> = Difference<T, Painted<C>>;
 ///     constant!(Cylinder::<f32>::along_x(0.0, 0.0, 1.0, -2.0, 2.0)),
 ///     constant!(Cylinder::<f32>::along_x(0.0, 0.0, 0.75, -3.0, 3.0)),
 /// );
-/// // All that is in front of z = 0 goes: the slab reaches beyond the tube.
-/// const FRONT: Slab<f32> = constant!(Slab::<f32>::along_z(0.0, 9.0));
-/// const OPEN: Section<Painted<Tube>, Slab<f32>> = section(Painted::new(TUBE, STEEL), FRONT, RED);
+/// // All that is in front of z = 0 goes: −z ≤ 0.
+/// const FRONT: HalfSpace<f32> = constant!(HalfSpace::<f32>::new(vec3(0.0, 0.0, -1.0), 0.0));
+/// const OPEN: Section<Painted<Tube>, HalfSpace<f32>> =
+///     section(Painted::new(TUBE, STEEL), FRONT, RED);
 ///
 /// let look = |y| {
 ///     let ray = Ray::new(vec3(0.0, y, 5.0), vec3(0.0, 0.0, -1.0)).ok()?;

@@ -4,13 +4,18 @@ use super::{Cuboid, CuboidError, Cylinder, CylinderError, Sphere, SphereError, U
 use crate::geom::{Axis, Vec3};
 use crate::scalar::{Number, Real, Scalar};
 
-/// A cylinder with a ball at either end: see [`Cylinder::capsule`].
+/// A cylinder with a sphere at either end: see [`Cylinder::capsule`].
+///
+/// Its parts overlap. At a seam, within the rounding of a parameter, a ray may meet a face that lies inside: in
+/// fixed point 2 of a million pixels show one.
 pub type Capsule<S> = Union<Cylinder<S>, [Sphere<S>; 2]>;
 
 /// A box with round edges and corners: see [`Cuboid::rounded`].
+///
+/// Its parts overlap, and what [`Capsule`] says of seams holds here, too.
 pub type RoundedCuboid<S> = Union<[Cuboid<S>; 3], Union<[Cylinder<S>; 12], [Sphere<S>; 8]>>;
 
-/// What balls of the same radius can be wrong with, a cylinder can as well.
+/// A sphere's errors are among those of a cylinder.
 impl From<SphereError> for CylinderError {
     fn from(error: SphereError) -> Self {
         match error {
@@ -43,8 +48,9 @@ impl<S: Scalar> Cylinder<S> {
 
     /// `N` cylinders along a coordinate axis, evenly spaced on a circle: a ring of bolt holes.
     ///
-    /// `at` is the circle's middle, with the other two coordinates in the order x, y, z. The first
-    /// cylinder lies in the direction of the first of them.
+    /// `[u, v]` is the circle's middle in the other two coordinates, in the order x, y, z. Cylinder k is at the
+    /// angle 2πk/N, counted from u to v. `ring_radius` is the circle's radius, `radius` that of each cylinder;
+    /// they reach from `low` to `high` along the axis.
     ///
     /// ```
     /// use scancsg::geom::Axis;

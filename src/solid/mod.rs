@@ -26,9 +26,23 @@
 //! | combine parts | `a \| b`, `a & b`, `a - b`; arrays and [`Many`] for unions of one kind |
 //! | colour, move or turn a part | [`Painted`], [`Placed`] |
 //! | scale, mirror or shear a part | [`Scaled`] |
+//! | go on from where a ray met it | [`Hit::leave`] |
 //! | ask where a single ray meets it | [`RayCast`] |
 //! | add a solid of your own | implement [`Shape`] and [`Solid`], wrap it in [`ByLine`] |
 //! | wrap solids in a type of your own | [`Wrap`] |
+
+//! Constructors come in pairs: a `const` one for each number type, and one that a type parameter can call.
+//!
+//! | solid | in constants, `T::<f32>::…` | for any number type, `T::<S>::…` |
+//! |---|---|---|
+//! | [`Cuboid`] | `new` | `between`, `of_size`, `around`, `rounded` |
+//! | [`Cylinder`] | `along_x`, `along_y`, `along_z`, `between`, `on` | `along`, `from_to`, `on_axis`, `capsule`, `ring` |
+//! | [`Cone`] | `along_x`, `along_y`, `along_z`, `between`, `on` | `along`, `from_to`, `on_axis` |
+//! | [`Sphere`] | `new` | `around` |
+//! | [`Torus`] | `along_x`, `along_y`, `along_z`, `new` | `along`, `around` |
+//! | [`Slab`] | `along_x`, `along_y`, `along_z`, `new` | `across`, `facing` |
+//! | [`HalfSpace`] | `new` | `facing`, `below`, `above` |
+//! | [`Polyhedron`] | `new`, `prism`, `frustum` | `bounded_by`, `extruded`, `with_corners` |
 
 mod combine;
 mod compound;

@@ -97,6 +97,15 @@ impl<S: Scalar> Cuboid<S> {
 
     /// A box with its lowest corner at (0, 0, 0).
     ///
+    /// ```
+    /// use scancsg::geom::vec3;
+    /// use scancsg::solid::Cuboid;
+    ///
+    /// let plate = Cuboid::<f32>::of_size(vec3(4.0, 3.0, 0.2))?;
+    /// assert_eq!(plate, Cuboid::around(vec3(2.0, 1.5, 0.1), vec3(2.0, 1.5, 0.1))?);
+    /// # Ok::<(), scancsg::solid::CuboidError>(())
+    /// ```
+    ///
     /// # Errors
     /// As [`new`](Self::new), with [`CuboidError::Empty`] where a size isn't above zero.
     pub fn of_size(size: Vec3<S>) -> Result<Self, CuboidError> {

@@ -39,8 +39,8 @@ use crate::span::{Face, Shape, Span, SpanStack};
 /// ```
 ///
 /// Single rays and pixels are computed in `f64` for all number types, with the same bits everywhere. On a
-/// host that is quick: ten tori take 375 instructions a pixel. A microcontroller without a unit for `f64`
-/// calls library routines: on a Cortex-M4F, a picture of one large torus takes 11,000 instructions a pixel,
+/// host that is quick: a picture of ten tori takes 5 times as long as one of ten cylinders. A microcontroller
+/// without `f64` in hardware calls library routines: on a Cortex-M4F, a picture of one large torus takes 11,000 instructions a pixel,
 /// 50 times one of ten cylinders. A scene without a torus links none of them. Errors are in the
 /// repository's `docs/numerics.md`.
 ///
