@@ -6,8 +6,8 @@ use crate::scalar::{Number, Real, Scalar};
 
 /// A cylinder with a sphere at either end: see [`Cylinder::capsule`].
 ///
-/// Its parts overlap. At a seam, within the rounding of a parameter, a ray may meet a face that lies inside: in
-/// fixed point 2 of a million pixels show one.
+/// Its parts overlap. At a seam, within the rounding of a parameter, a ray may meet a face that lies inside:
+/// single pixels of pictures in fixed point show one.
 pub type Capsule<S> = Union<Cylinder<S>, [Sphere<S>; 2]>;
 
 /// A box with round edges and corners: see [`Cuboid::rounded`].
