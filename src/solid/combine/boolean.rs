@@ -227,7 +227,7 @@ where
     #[inline(always)]
     fn outlined<A, B>(self, with: A, ask: impl FnOnce(Self, A) -> B) -> B {
         let Self { solid, view, row, x, first } = self;
-        outlined(solid, view, row, x, first, with, ask)
+        outlined(solid, view, row, x, with, first, ask)
     }
 }
 
@@ -238,8 +238,8 @@ fn outlined<'a, P, O, L: Scan<P>, R: Scan<P>, A, B>(
     view: &'a (L::View, R::View),
     row: &'a mut BooleanRow<L::Row, R::Row>,
     x: i32,
-    first: Face,
     with: A,
+    first: Face,
     ask: impl FnOnce(OnRay<'a, P, O, L, R>, A) -> B,
 ) -> B {
     ask(OnRay { solid, view, row, x, first }, with)
