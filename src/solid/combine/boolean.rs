@@ -114,12 +114,7 @@ fn operand<L: Shape>(face: Face) -> Result<Face, Face> {
 }
 
 impl<O: Rule, L: Solid, R: Solid<Scalar = L::Scalar>> Solid for Boolean<O, L, R> {
-    fn spans(
-        &self,
-        line: &Line<Self::Scalar>,
-        first: Face,
-        stack: &mut SpanStack<'_, Self::Scalar>,
-    ) {
+    fn spans(&self, line: &Line<L::Scalar>, first: Face, stack: &mut SpanStack<'_, L::Scalar>) {
         let left = stack.len();
         self.left.spans(line, first, stack);
         let right = stack.len();
