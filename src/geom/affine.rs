@@ -117,7 +117,8 @@ impl<S: Scalar> AffineMap<S> {
     /// # Errors
     /// [`AffineError::TooFar`], [`AffineError::Singular`].
     pub fn then(&self, next: &Self) -> Result<Self, AffineError> {
-        let columns = columns(&self.rows).map(|column| product(&next.rows, column));
+        let columns = transposed(self.rows.map(Vec3::from));
+        let columns = columns.map(|column| product(&next.rows, Vec3::from(column)));
         Self::checked(transposed(columns), next.point(self.shift))
     }
 
@@ -279,10 +280,6 @@ impl<S: Scalar> RaysBack<S> {
         let shift = S::Wide::ZERO.after_steps(self.step, x);
         Parameters { inverse: self.inverse, power: self.power, shift }
     }
-}
-
-fn columns<T: Number>(&[x, y, z]: &Matrix<T>) -> [Vec3<T>; 3] {
-    [0, 1, 2].map(|i| Vec3::new(x[i], y[i], z[i]))
 }
 
 fn transposed<T: Number>([x, y, z]: [Vec3<T>; 3]) -> Matrix<T> {

@@ -42,6 +42,12 @@ impl<T: Real> Affine<T> {
         self.middle.after_steps(self.step, x)
     }
 
+    /// The number on top of one that is the same everywhere.
+    #[inline]
+    pub(crate) fn above(&self, middle: T) -> Self {
+        Self { middle: middle + self.middle, ..*self }
+    }
+
     /// The same multiple of a number everywhere.
     #[inline]
     #[must_use]

@@ -103,27 +103,7 @@ formula! {
     torus(torus: ReadyTorus) -> [Option<Span<S>>; 2], InTorus
 }
 
-struct ToDoubles<'a, S: Scalar>(&'a Ring<S>);
-
-impl<S: Scalar> Formula<S> for ToDoubles<'_, S> {
-    type Output = ReadyTorus<S>;
-
-    fn float(self) -> ReadyTorus<S>
-    where
-        S: Float,
-    {
-        float::ready_torus(self.0)
-    }
-
-    fn fixed(self) -> ReadyTorus<S>
-    where
-        S: FixedPoint,
-    {
-        fixed::ready_torus(self.0)
-    }
-}
-
-/// A torus in `f64`, ready for any number of lines.
-pub(crate) fn ready_torus<S: Scalar>(ring: &Ring<S>) -> ReadyTorus<S> {
-    S::compute(ToDoubles(ring))
+formula! {
+    /// A torus in `f64`, ready for any number of lines.
+    of ready_torus(ring: Ring) -> ReadyTorus<S>, ToDoubles
 }

@@ -132,7 +132,7 @@ where
         if !self.has_view {
             return Err(RowError::Range);
         }
-        let from_middle = from_middle(y, self.size.height());
+        let from_middle = from_middle(y.into(), self.size.height());
         let columns = self.size.width().into();
         self.solid.row(&self.view, from_middle, columns, &mut self.row);
         let rays = self.rays.row(from_middle);
@@ -141,8 +141,8 @@ where
 }
 
 /// The centre of a pixel, in half pixels from the middle of the picture.
-fn from_middle(index: u16, count: u16) -> i32 {
-    2 * i32::from(index) + 1 - i32::from(count)
+fn from_middle(index: u32, count: u16) -> i32 {
+    2 * index as i32 + 1 - i32::from(count)
 }
 
 /// Columns next to each other that are rendered together.
@@ -239,7 +239,7 @@ where
 
     /// The centre of a column, in half pixels from the middle of the picture.
     pub(super) fn x(&self, column: u32) -> i32 {
-        2 * column as i32 + 1 - i32::from(self.picture.size.width())
+        from_middle(column, self.picture.size.width())
     }
 
     /// The spans of the ray of column `x`. The parameter counts scene units along the viewing

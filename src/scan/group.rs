@@ -76,8 +76,8 @@ fn outlined<'a, P, T: Scan<P>, A, B>(
     solids: &'a [T],
     views: &'a [T::View],
     x: i32,
-    first: Face,
     with: A,
+    first: Face,
     ask: impl FnOnce(Active<'a, P, T>, A) -> B,
 ) -> B {
     ask(Active { group, solids, views, x, first }, with)
@@ -93,7 +93,7 @@ impl<P, T: Scan<P>> Members<T::Scalar> for Active<'_, P, T> {
     fn unite<H: Path>(&mut self, t: T::Scalar) -> Step<T::Scalar> {
         if H::IS_COLD {
             let unite = |mut active: Active<'_, P, T>, t| active.unite_all::<Cold>(t);
-            outlined(self.group, self.solids, self.views, self.x, self.first, t, unite)
+            outlined(self.group, self.solids, self.views, self.x, t, self.first, unite)
         } else {
             self.unite_all::<H>(t)
         }
@@ -101,6 +101,6 @@ impl<P, T: Scan<P>> Members<T::Scalar> for Active<'_, P, T> {
 
     #[inline(always)]
     fn outlined<A, B>(self, with: A, ask: impl FnOnce(Self, A) -> B) -> B {
-        outlined(self.group, self.solids, self.views, self.x, self.first, with, ask)
+        outlined(self.group, self.solids, self.views, self.x, with, self.first, ask)
     }
 }

@@ -205,22 +205,14 @@ macro_rules! leaf {
 
             #[inline(always)]
             fn contains<P: $crate::span::walk::Path>(
-                &self,
-                view: &Self::View,
-                row: &mut Self::Row,
-                x: i32,
-                t: Self::Scalar,
+                &self, view: &Self::View, row: &mut Self::Row, x: i32, t: Self::Scalar,
             ) -> bool {
                 row.contains::<R, Self>(self, view, x, t)
             }
 
             #[inline(always)]
             fn step<P: $crate::span::walk::Path>(
-                &self,
-                view: &Self::View,
-                row: &mut Self::Row,
-                x: i32,
-                t: Self::Scalar,
+                &self, view: &Self::View, row: &mut Self::Row, x: i32, t: Self::Scalar,
                 first: $crate::span::Face,
             ) -> $crate::span::walk::Step<Self::Scalar> {
                 row.step::<P, R, Self>(self, view, x, t, first)

@@ -10,27 +10,18 @@ use core::ops::{BitAnd, BitOr, Sub};
 
 macro_rules! operators {
     ($([$($generics:tt)*] $Solid:ty),+ $(,)?) => {$(
-        impl<$($generics)*, Right> BitOr<Right> for $Solid {
-            type Output = Union<Self, Right>;
-            fn bitor(self, right: Right) -> Self::Output {
-                Boolean::new(self, right)
-            }
-        }
-
-        impl<$($generics)*, Right> BitAnd<Right> for $Solid {
-            type Output = Intersection<Self, Right>;
-            fn bitand(self, right: Right) -> Self::Output {
-                Boolean::new(self, right)
-            }
-        }
-
-        impl<$($generics)*, Right> Sub<Right> for $Solid {
-            type Output = Difference<Self, Right>;
-            fn sub(self, right: Right) -> Self::Output {
-                Boolean::new(self, right)
-            }
-        }
+        operators! { BitOr, bitor, Union, [$($generics)*] $Solid }
+        operators! { BitAnd, bitand, Intersection, [$($generics)*] $Solid }
+        operators! { Sub, sub, Difference, [$($generics)*] $Solid }
     )+};
+    ($Operator:ident, $operator:ident, $Output:ident, [$($generics:tt)*] $Solid:ty) => {
+        impl<$($generics)*, Right> $Operator<Right> for $Solid {
+            type Output = $Output<Self, Right>;
+            fn $operator(self, right: Right) -> Self::Output {
+                Boolean::new(self, right)
+            }
+        }
+    };
 }
 
 operators! {

@@ -1,6 +1,6 @@
 //! The memory of the span merge: a fixed array, and the stack that solids push to.
 
-use super::span::Span;
+use super::span::{Face, Span};
 use crate::scalar::Scalar;
 use heapless::{Vec, VecView};
 
@@ -109,6 +109,17 @@ impl<S> SpanStack<'_, S> {
     #[inline]
     pub(crate) fn put(&mut self, span: Span<S>) {
         let _ = self.push(span);
+    }
+
+    /// [`put`](Self::put) for all spans of a primitive, with its faces counted from `first` on.
+    #[inline(always)]
+    pub(crate) fn put_all(&mut self, spans: impl IntoIterator<Item = Span<S>>, first: Face)
+    where
+        S: Scalar,
+    {
+        for span in spans {
+            self.put(span.with_faces_from(first));
+        }
     }
 
     /// How many spans there are, those of other solids included.

@@ -171,7 +171,7 @@ fn step_inlined<S: Scalar>(mut of: impl Operands<S>, t: S) -> Step<S> {
     let operation = of.operation();
     let left = if of.has(Side::Left) { of.step::<Hot>(Side::Left, t) } else { Step::OUTSIDE };
     if left.inside || !operation.needs_left() {
-        return of.outlined(t, |of, t| step_from_left(of, t, left));
+        return of.outlined(left, move |of, left| step_from_left(of, t, left));
     }
     // From outside of the left operand, its first crossing decides in most cases.
     let t = left.next.t;

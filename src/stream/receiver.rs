@@ -183,14 +183,13 @@ impl<'a> Receiver<'a> {
 
     /// Whether a frame can be taken in.
     fn check(&self, header: FrameHeader) -> Result<(), ReceiveError> {
-        if header.is_empty() {
-            return Err(ReceiveError::Size);
+        let fits = header.frame_bytes().is_some_and(|size| size <= self.pixels.len())
+            && usize::from(header.height) <= self.rows.len();
+        match () {
+            () if header.is_empty() => Err(ReceiveError::Size),
+            () if !fits => Err(ReceiveError::TooLarge),
+            () => Ok(()),
         }
-        let fits = header.frame_bytes().is_some_and(|size| size <= self.pixels.len());
-        if !fits || usize::from(header.height) > self.rows.len() {
-            return Err(ReceiveError::TooLarge);
-        }
-        Ok(())
     }
 
     fn accept_row(

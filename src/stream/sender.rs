@@ -164,16 +164,12 @@ impl<W: Write, const N: usize> Sender<W, N> {
     /// The frame, if these pixels can be its row `y`.
     fn frame_of<P: WirePixel>(&self, y: u16, pixels: &[P]) -> Result<Frame, SendError<W::Error>> {
         let frame = self.frame.ok_or(SendError::NoFrame)?;
-        if P::FORMAT != frame.header.format {
-            return Err(SendError::Format);
+        match () {
+            () if P::FORMAT != frame.header.format => Err(SendError::Format),
+            () if pixels.len() != usize::from(frame.header.width) => Err(SendError::Width),
+            () if y >= frame.header.height => Err(SendError::Row),
+            () => Ok(frame),
         }
-        if pixels.len() != usize::from(frame.header.width) {
-            return Err(SendError::Width);
-        }
-        if y >= frame.header.height {
-            return Err(SendError::Row);
-        }
-        Ok(frame)
     }
 
     fn send_header(&mut self, header: FrameHeader) -> Result<(), SendError<W::Error>> {

@@ -114,12 +114,16 @@ pub(super) enum Root {
 const GUARD: u32 = 16;
 
 impl<W: Integer> Quadratic<W> {
+    /// The sign of the value at a fraction, and that of its derivative: each times a positive factor.
+    fn at(&self, numerator: i128, denominator: i128) -> [W; 2] {
+        let (n, d) = (W::from(numerator), W::from(denominator));
+        let ascent = self.a * n + self.b * d;
+        [n * (ascent + self.b * d) + self.c * d * d, ascent]
+    }
+
     /// Whether the quadratic's root is above the fraction, or at it.
     pub(super) fn is_at_or_above(&self, root: Root, numerator: i128, denominator: i128) -> bool {
-        let (n, d) = (W::from(numerator), W::from(denominator));
-        let zero = W::from(0);
-        let ascent = self.a * n + self.b * d;
-        let value = n * (ascent + self.b * d) + self.c * d * d;
+        let ([value, ascent], zero) = (self.at(numerator, denominator), W::from(0));
         match root {
             Root::Enter => value >= zero && ascent <= zero,
             Root::Exit => value <= zero || ascent <= zero,
@@ -128,10 +132,7 @@ impl<W: Integer> Quadratic<W> {
 
     /// Whether the quadratic's root is below the fraction, or at it.
     pub(super) fn is_at_or_below(&self, root: Root, numerator: i128, denominator: i128) -> bool {
-        let (n, d) = (W::from(numerator), W::from(denominator));
-        let zero = W::from(0);
-        let ascent = self.a * n + self.b * d;
-        let value = n * (ascent + self.b * d) + self.c * d * d;
+        let ([value, ascent], zero) = (self.at(numerator, denominator), W::from(0));
         match root {
             Root::Enter => value <= zero || ascent >= zero,
             Root::Exit => value >= zero && ascent >= zero,
@@ -140,8 +141,8 @@ impl<W: Integer> Quadratic<W> {
 
     /// Whether the value at a fraction is below zero: the line is inside there.
     pub(super) fn is_inside(&self, numerator: i128, denominator: i128) -> bool {
-        let (n, d) = (W::from(numerator), W::from(denominator));
-        n * (self.a * n + self.b * d + self.b * d) + self.c * d * d < W::from(0)
+        let [value, _] = self.at(numerator, denominator);
+        value < W::from(0)
     }
 
     /// Both roots on the grid of `fraction` bits, each rounded to nearest, halves upwards.

@@ -1,5 +1,6 @@
 //! The rows and columns in which rays from an eye can meet a ball.
 
+use super::outline::{Bounds, Outline, Silhouette};
 use super::quadratic::{constant, extent};
 use super::strip::{Rows, Steps};
 use crate::geom::{Affine, Extent, PerspectiveRays, Vec3};
@@ -81,14 +82,24 @@ impl<S: Scalar> PerspectiveBall<S> {
             },
         ]
     }
+}
 
-    /// Whether any of these rows can meet the ball.
-    pub(crate) fn is_in_rows(&self, rows: [i32; 2]) -> bool {
+impl<S: Scalar> Silhouette for PerspectiveBall<S> {
+    fn is_in_rows(&self, rows: [i32; 2]) -> bool {
         self.rows.meet(rows)
     }
 
-    pub(crate) fn extent(&self, y: i32, columns: u32) -> Extent {
+    fn extent(&self, y: i32, columns: u32) -> Extent {
         let reach = self.direction(y).map(|part| part.times(self.radius + S::ROUNDING.wide()));
         extent(&reach, &self.moment(y), columns)
+    }
+}
+
+impl<S: Scalar> Outline for PerspectiveRays<S> {
+    type Silhouette = Option<PerspectiveBall<S>>;
+
+    fn outline(&self, bounds: &Bounds<S>) -> Self::Silhouette {
+        let around = bounds.middle()?;
+        Some(PerspectiveBall::new(around.center, around.radius(), self))
     }
 }

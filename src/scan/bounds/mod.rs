@@ -8,6 +8,7 @@ mod quadratic;
 mod strip;
 
 pub(crate) use ball::PerspectiveBall;
+pub(crate) use outline::Around;
 pub use outline::{Anywhere, Bounds, Outline, Rectangle, Silhouette};
 pub(crate) use quadratic::{constant, extent};
 pub(crate) use strip::{Rows, Steps};

@@ -1,8 +1,7 @@
 //! What a solid says of its size, and the outline that rays see of that.
 
-use super::ball::PerspectiveBall;
 use super::strip::{Rows, Steps};
-use crate::geom::{Affine, Extent, OrthographicRays, PerspectiveRays, Pose, Rays, Vec3};
+use crate::geom::{Affine, Extent, OrthographicRays, Pose, Rays, Vec3};
 use crate::scalar::{Number, Real, Scalar};
 use crate::scan::Empty;
 
@@ -40,56 +39,53 @@ pub enum Bounds<S> {
 }
 
 impl<S: Scalar> Bounds<S> {
-    /// A middle and half of the lengths along each axis, with a ball around all of it.
-    fn middle(&self) -> Option<Around<S>> {
-        let (center, half, radius) = match *self {
+    /// A middle and half of the lengths along each axis. Bounds with NaN or infinity in them are none.
+    pub(crate) fn middle(&self) -> Option<Around<S>> {
+        let (center, half) = match *self {
             Self::Unbounded => return None,
             Self::Ball { center, radius } => {
                 let radius = radius.wide();
-                (center.wide(), Vec3::new(radius, radius, radius), radius)
+                (center.wide(), Vec3::new(radius, radius, radius))
             }
             Self::Box { low, high } => {
                 let (low, high) = (low.wide(), high.wide());
                 let half = (high - low) * S::Wide::HALF;
-                (low + half, half, half.length_squared().sqrt())
+                (low + half, half)
             }
         };
-        let is_ball = matches!(self, Self::Ball { .. });
-        // Bounds with NaN or infinity in them are none.
-        let is_finite = center.is_finite() && half.is_finite() && radius.is_finite();
-        is_finite.then_some(Around { center, half, radius, is_ball })
+        let around = Around { center, half, is_ball: matches!(self, Self::Ball { .. }) };
+        (center.is_finite() && half.is_finite()).then_some(around)
     }
 
     /// The bounds of the solid moved by a pose.
     pub(crate) fn placed(&self, pose: &Pose<S>) -> Self {
-        match self.middle() {
-            None => Self::Unbounded,
-            Some(around) => {
-                // Room for what turning, and rounding to the number type, may move.
-                let size = around.center.max_abs() + around.radius;
-                let room = S::uncertainty(size + size + size) + S::ROUNDING.wide();
-                Self::Ball {
-                    center: pose.point(around.center.map(S::from_wide)),
-                    radius: S::from_wide(around.radius + room + room),
-                }
-            }
-        }
+        let Some(around) = self.middle() else { return Self::Unbounded };
+        // Room for what turning, and rounding to the number type, may move.
+        let (center, radius) = (around.center, around.radius());
+        let size = center.max_abs() + radius;
+        let room = S::uncertainty(size + size + size) + S::ROUNDING.wide();
+        let radius = S::from_wide(radius + room + room);
+        Self::Ball { center: pose.point(center.map(S::from_wide)), radius }
     }
 }
 
 /// Bounds as what an outline needs.
-struct Around<S: Scalar> {
-    center: Vec3<S::Wide>,
-    half: Vec3<S::Wide>,
-    radius: S::Wide,
-    is_ball: bool,
+pub(crate) struct Around<S: Scalar> {
+    pub(crate) center: Vec3<S::Wide>,
+    pub(crate) half: Vec3<S::Wide>,
+    pub(crate) is_ball: bool,
 }
 
 impl<S: Scalar> Around<S> {
+    /// The radius of a ball around all of it.
+    pub(super) fn radius(&self) -> S::Wide {
+        if self.is_ball { self.half.x } else { self.half.length_squared().sqrt() }
+    }
+
     /// Half of the length along a direction.
     fn half_along(&self, direction: Vec3<S::Wide>) -> S::Wide {
         if self.is_ball {
-            return self.radius;
+            return self.half.x;
         }
         let Vec3 { x, y, z } = direction;
         self.half.x * x.abs() + self.half.y * y.abs() + self.half.z * z.abs()
@@ -168,31 +164,12 @@ impl<S: Scalar> Outline for OrthographicRays<S> {
     fn outline(&self, bounds: &Bounds<S>) -> Self::Silhouette {
         let around = bounds.middle()?;
         let from_middle = around.center - self.center;
-        let size = from_middle.max_abs() + around.half.max_abs() + around.radius;
+        let size = from_middle.max_abs() + around.half.max_abs() + around.radius();
         let steps = |direction: Vec3<S::Wide>| {
             let (at, half) = (from_middle.dot_compensated(direction), around.half_along(direction));
             let along = Affine { middle: S::Wide::ZERO, step: self.half_pixel };
             Steps::between::<S>(along, at - half, at + half, size + size + size)
         };
         Some(Rectangle { rows: Rows::of(steps(self.down)), columns: steps(self.right) })
-    }
-}
-
-impl<S: Scalar> Silhouette for PerspectiveBall<S> {
-    fn is_in_rows(&self, rows: [i32; 2]) -> bool {
-        Self::is_in_rows(self, rows)
-    }
-
-    fn extent(&self, y: i32, columns: u32) -> Extent {
-        Self::extent(self, y, columns)
-    }
-}
-
-impl<S: Scalar> Outline for PerspectiveRays<S> {
-    type Silhouette = Option<PerspectiveBall<S>>;
-
-    fn outline(&self, bounds: &Bounds<S>) -> Self::Silhouette {
-        let around = bounds.middle()?;
-        Some(PerspectiveBall::new(around.center, around.radius, self))
     }
 }

@@ -59,10 +59,6 @@ impl<S: Scalar> PerspectiveRow<S> {
         let [height, right, down] = view.height;
         let offset = Affine::row([S::Wide::ZERO, right, down], y);
         let turn = offset.times(view.inverse_distance);
-        let plus = |middle: S::Wide, offset: Affine<S::Wide>| Affine {
-            middle: middle + offset.middle,
-            ..offset
-        };
-        Self { height: plus(height, offset), speed: plus(view.speed, turn) }
+        Self { height: offset.above(height), speed: turn.above(view.speed) }
     }
 }

@@ -126,12 +126,7 @@ fn operand<L: Shape>(face: Face) -> Result<Face, Face> {
 }
 
 impl<O: Rule, L: Solid, R: Solid<Scalar = L::Scalar>> Solid for Boolean<O, L, R> {
-    fn spans(
-        &self,
-        line: &Line<Self::Scalar>,
-        first: Face,
-        stack: &mut SpanStack<'_, Self::Scalar>,
-    ) {
+    fn spans(&self, line: &Line<L::Scalar>, first: Face, stack: &mut SpanStack<'_, L::Scalar>) {
         let left = stack.len();
         self.left.spans(line, first, stack);
         let right = stack.len();
@@ -239,7 +234,7 @@ where
     #[inline(always)]
     fn outlined<A, B>(self, with: A, ask: impl FnOnce(Self, A) -> B) -> B {
         let Self { solid, view, row, x, first } = self;
-        outlined(solid, view, row, x, first, with, ask)
+        outlined(solid, view, row, x, with, first, ask)
     }
 }
 
@@ -250,8 +245,8 @@ fn outlined<'a, P, O, L: Scan<P>, R: Scan<P>, A, B>(
     view: &'a (L::View, R::View),
     row: &'a mut BooleanRow<L::Row, R::Row>,
     x: i32,
-    first: Face,
     with: A,
+    first: Face,
     ask: impl FnOnce(OnRay<'a, P, O, L, R>, A) -> B,
 ) -> B {
     ask(OnRay { solid, view, row, x, first }, with)

@@ -60,9 +60,9 @@ macro_rules! group {
         impl<T: Solid, const N: usize> Solid for $Group {
             fn spans(
                 &self,
-                line: &Line<Self::Scalar>,
+                line: &Line<T::Scalar>,
                 first: Face,
-                stack: &mut SpanStack<'_, Self::Scalar>,
+                stack: &mut SpanStack<'_, T::Scalar>,
             ) {
                 spans(self.as_slice(), line, first, stack);
             }
@@ -80,9 +80,9 @@ macro_rules! group {
             fn cosine(
                 &self,
                 face: Face,
-                at: impl FnOnce() -> Vec3<Self::Scalar>,
-                to: Vec3<Self::Scalar>,
-            ) -> Self::Scalar {
+                at: impl FnOnce() -> Vec3<T::Scalar>,
+                to: Vec3<T::Scalar>,
+            ) -> T::Scalar {
                 let element = element(self.as_slice(), face);
                 element.map_or(T::Scalar::ZERO, |(solid, face)| solid.cosine(face, at, to))
             }
@@ -118,7 +118,7 @@ macro_rules! group {
                 view: &Self::View,
                 row: &mut Self::Row,
                 x: i32,
-                t: Self::Scalar,
+                t: T::Scalar,
             ) -> bool {
                 let (group, solids) = (row.as_slice_mut(), self.as_slice());
                 Active::<P, T> { group, solids, views: view, x, first: Face(0) }.contains::<H>(t)
@@ -130,9 +130,9 @@ macro_rules! group {
                 view: &Self::View,
                 row: &mut Self::Row,
                 x: i32,
-                t: Self::Scalar,
+                t: T::Scalar,
                 first: Face,
-            ) -> Step<Self::Scalar> {
+            ) -> Step<T::Scalar> {
                 let (group, solids) = (row.as_slice_mut(), self.as_slice());
                 Active::<P, T> { group, solids, views: view, x, first }.step::<H>(t)
             }

@@ -4,9 +4,7 @@ use super::{Joint, Pipe, PipeError};
 use crate::geom::Vec3;
 use crate::quadric::Wall;
 use crate::scalar::{ConstOps, FixedI32, Fraction, Scalar};
-use crate::solid::{
-    Cylinder, CylinderError, Intersection, Many, Slab, SlabError, Sphere, SphereError, Union,
-};
+use crate::solid::{Cylinder, CylinderError, Intersection, Many, Slab, Sphere, SphereError, Union};
 use crate::spline::Curve;
 
 /// A pipe from its first point to the last one so far.
@@ -23,31 +21,6 @@ struct Laid<S: Scalar, const SEGMENTS: usize> {
     /// Each at the beginning of a cylinder.
     joints: Many<Joint<S>, SEGMENTS>,
     last: Cylinder<S>,
-}
-
-const fn of_cylinder(error: CylinderError) -> PipeError {
-    match error {
-        CylinderError::NotFinite => PipeError::NotFinite,
-        CylinderError::Radius => PipeError::Radius,
-        CylinderError::TooFar => PipeError::TooFar,
-        CylinderError::Empty => PipeError::Empty,
-    }
-}
-
-const fn of_ball(error: SphereError) -> PipeError {
-    match error {
-        SphereError::NotFinite => PipeError::NotFinite,
-        SphereError::Radius => PipeError::Radius,
-        SphereError::TooFar => PipeError::TooFar,
-    }
-}
-
-/// A slab of two radii is empty only if they are lost in rounding.
-const fn of_slab(error: SlabError) -> PipeError {
-    match error {
-        SlabError::NotFinite => PipeError::NotFinite,
-        SlabError::ZeroNormal | SlabError::Empty | SlabError::TooFar => PipeError::TooFar,
-    }
 }
 
 macro_rules! constructors {
@@ -108,7 +81,9 @@ macro_rules! constructors {
             const fn new(from: Vec3<$Scalar>, radius: $Scalar) -> Result<Self, PipeError> {
                 match Sphere::<$Scalar>::new(from, radius) {
                     Ok(_) => Ok(Self { radius, from, to: from, laid: None }),
-                    Err(error) => Err(of_ball(error)),
+                    Err(SphereError::NotFinite) => Err(PipeError::NotFinite),
+                    Err(SphereError::Radius) => Err(PipeError::Radius),
+                    Err(SphereError::TooFar) => Err(PipeError::TooFar),
                 }
             }
 
@@ -117,15 +92,16 @@ macro_rules! constructors {
                 let cylinder = match Cylinder::<$Scalar>::between(self.to, to, self.radius) {
                     Ok(cylinder) => cylinder,
                     Err(CylinderError::Empty) => return Ok(()),
-                    Err(error) => return Err(of_cylinder(error)),
+                    Err(CylinderError::NotFinite) => return Err(PipeError::NotFinite),
+                    // The radius is checked already.
+                    Err(_) => return Err(PipeError::TooFar),
                 };
                 let before = match &self.laid {
                     Some(laid) => laid.last,
                     None => cylinder,
                 };
-                let joint = match ConstOps::<$Scalar>::joint(&before, &cylinder) {
-                    Ok(joint) => joint,
-                    Err(error) => return Err(error),
+                let Some(joint) = ConstOps::<$Scalar>::joint(&before, &cylinder) else {
+                    return Err(PipeError::TooFar);
                 };
                 self.to = to;
                 match &mut self.laid {
@@ -152,8 +128,8 @@ macro_rules! constructors {
                 };
                 if ConstOps::<$Scalar>::is_same(self.from, self.to) {
                     match ConstOps::<$Scalar>::joint(&last, &cylinders.as_slice()[0]) {
-                        Ok(joint) => joints.as_mut_slice()[0] = joint,
-                        Err(error) => return Err(error),
+                        Some(joint) => joints.as_mut_slice()[0] = joint,
+                        None => return Err(PipeError::TooFar),
                     }
                 }
                 let segments = cylinders.as_slice().len();
@@ -163,40 +139,30 @@ macro_rules! constructors {
 
         impl<$($generics)*> ConstOps<$Scalar> {
             const fn is_same(a: Vec3<$Scalar>, b: Vec3<$Scalar>) -> bool {
-                let (mut a, mut b): (&[$Scalar], &[$Scalar]) = (&a.to_array(), &b.to_array());
-                while let ([x, others @ ..], [y, rest @ ..]) = (a, b) {
-                    if Self::is_below(*x, *y) || Self::is_below(*y, *x) {
-                        return false;
-                    }
-                    (a, b) = (others, rest);
-                }
-                true
+                Self::is_zero(Self::difference(a.x, b.x))
+                    && Self::is_zero(Self::difference(a.y, b.y))
+                    && Self::is_zero(Self::difference(a.z, b.z))
             }
 
             /// The part of a ball beyond the end of one cylinder and before the beginning of the
-            /// next one, which is nothing where both are the same.
+            /// next one, which is nothing where both are the same. `None` if two radii farther than the
+            /// ends is too far.
             const fn joint(
-                before: &Cylinder<$Scalar>,
-                after: &Cylinder<$Scalar>,
-            ) -> Result<Joint<$Scalar>, PipeError> {
+                before: &Cylinder<$Scalar>, after: &Cylinder<$Scalar>,
+            ) -> Option<Joint<$Scalar>> {
                 let Wall { base, radius, .. } = after.wall;
-                let ball = match Sphere::<$Scalar>::new(base, radius) {
-                    Ok(ball) => ball,
-                    Err(error) => return Err(of_ball(error)),
-                };
                 let (end, start) = (before.caps.high, after.caps.low);
                 let width = ConstOps::<$Scalar>::sum(radius, radius);
-                let far = ConstOps::<$Scalar>::sum(end, width);
-                let beyond = match Slab::<$Scalar>::with_normal(before.caps.normal, end, far) {
-                    Ok(slab) => slab,
-                    Err(error) => return Err(of_slab(error)),
+                let beyond = [end, ConstOps::<$Scalar>::sum(end, width)];
+                let ahead = [ConstOps::<$Scalar>::difference(start, width), start];
+                let (Ok(ball), Ok(beyond), Ok(ahead)) = (
+                    Sphere::<$Scalar>::new(base, radius),
+                    Slab::<$Scalar>::with_normal(before.caps.normal, beyond[0], beyond[1]),
+                    Slab::<$Scalar>::with_normal(after.caps.normal, ahead[0], ahead[1]),
+                ) else {
+                    return None;
                 };
-                let far = ConstOps::<$Scalar>::difference(start, width);
-                let ahead = match Slab::<$Scalar>::with_normal(after.caps.normal, far, start) {
-                    Ok(slab) => slab,
-                    Err(error) => return Err(of_slab(error)),
-                };
-                Ok(Joint::new(Intersection::new(ball, beyond), ahead))
+                Some(Joint::new(Intersection::new(ball, beyond), ahead))
             }
         }
     )+};

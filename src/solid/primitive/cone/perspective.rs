@@ -4,7 +4,7 @@ use super::pixel::{PixelView, after};
 use super::{Cone, cut};
 use crate::geom::{Extent, PerspectiveRays};
 use crate::scalar::Scalar;
-use crate::scan::bounds::PerspectiveBall;
+use crate::scan::bounds::{PerspectiveBall, Silhouette};
 use crate::scan::{Leaf, planes};
 use crate::span::Span;
 

@@ -135,9 +135,7 @@ impl<S: Scalar> Shape for Cuboid<S> {
 
 impl<S: Scalar> Solid for Cuboid<S> {
     fn spans(&self, line: &Line<S>, first: Face, stack: &mut SpanStack<'_, S>) {
-        if let Some(span) = meet::cuboid(&self.corners, line) {
-            stack.put(span.with_faces_from(first));
-        }
+        stack.put_all(meet::cuboid(&self.corners, line), first);
     }
 
     fn bounds(&self) -> Bounds<S> {

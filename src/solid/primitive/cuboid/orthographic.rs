@@ -8,7 +8,7 @@ use crate::geom::{Axis, Extent, OrthographicRays};
 use crate::quadric::Corners;
 use crate::scalar::Scalar;
 use crate::scan::bounds::{Outline, Rectangle, Silhouette, Steps};
-use crate::scan::planes::{self, Ends};
+use crate::scan::planes::{Ends, OrthographicRow as PairRow, OrthographicView as PairView};
 use crate::scan::{Empty, Leaf};
 use crate::solid::Solid;
 use crate::span::{Crossing, Face, Span};
@@ -18,7 +18,7 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {
     type Row = OrthographicRow<S>;
     type Spans = [Span<S>; 1];
 
-    fn view(&self, rays: &OrthographicRays<S>) -> OrthographicView<S> {
+    fn view(&self, rays: &OrthographicRays<S>) -> Self::View {
         let outline = rays.outline(&self.bounds());
         let pairs = Axis::ALL.map(|axis| self.corners.planes(axis).orthographic_view(rays));
         let near = Axis::ALL.map(|axis| {
@@ -29,18 +29,12 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {
     }
 
     #[inline]
-    fn is_in_rows(&self, view: &OrthographicView<S>, rows: [i32; 2]) -> bool {
+    fn is_in_rows(&self, view: &Self::View, rows: [i32; 2]) -> bool {
         view.outline.is_in_rows(rows)
     }
 
     #[inline(never)]
-    fn row(
-        &self,
-        view: &OrthographicView<S>,
-        y: i32,
-        columns: u32,
-        row: &mut OrthographicRow<S>,
-    ) -> Extent {
+    fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
         let pairs = Axis::ALL.map(|axis| {
             let view = &view.pairs[axis as usize];
             self.corners.planes(axis).orthographic_row(view, y, columns)
@@ -48,41 +42,32 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {
         let mut steps = Steps::ALL;
         for (index, axis) in Axis::ALL.into_iter().enumerate() {
             match &pairs[index] {
-                planes::OrthographicRow::EdgeOn(row) => {
+                PairRow::EdgeOn(row) => {
                     steps = steps.overlap(self.corners.planes(axis).edge_on_steps(row));
                 }
-                planes::OrthographicRow::Across(ends) => {
-                    for (other, view_of_other) in pairs.iter().zip(&view.pairs).skip(index + 1) {
-                        if let planes::OrthographicRow::Across(other) = other {
+                PairRow::Across(ends) => {
+                    for (other, its_view) in pairs.iter().zip(&view.pairs).skip(index + 1) {
+                        if let PairRow::Across(other) = other {
                             let view = &view.pairs[index];
-                            steps = steps.overlap(ends.common_steps(
-                                view,
-                                other,
-                                view_of_other,
-                                columns,
-                            ));
+                            steps =
+                                steps.overlap(ends.common_steps(view, other, its_view, columns));
                         }
                     }
                 }
-                planes::OrthographicRow::Nowhere => {}
+                PairRow::Nowhere => {}
             }
         }
-        use planes::OrthographicRow::Across;
         *row = match pairs {
-            [Across(x), Across(y), Across(z)] => OrthographicRow::Across([x, y, z]),
+            [PairRow::Across(x), PairRow::Across(y), PairRow::Across(z)] => {
+                OrthographicRow::Across([x, y, z])
+            }
             pairs => OrthographicRow::EdgeOn(pairs),
         };
         steps.columns(columns).overlap(view.outline.extent(y, columns))
     }
 
     #[inline(always)]
-    fn spans(
-        &self,
-        view: &OrthographicView<S>,
-        row: &OrthographicRow<S>,
-        x: i32,
-        [span]: &mut [Span<S>; 1],
-    ) {
+    fn spans(&self, view: &Self::View, row: &Self::Row, x: i32, [span]: &mut [Span<S>; 1]) {
         match row {
             OrthographicRow::Across(pairs) => {
                 let [first, second, third] = pairs;
@@ -115,17 +100,15 @@ impl<S: Scalar> Cuboid<S> {
     fn edge_on_span(
         &self,
         view: &OrthographicView<S>,
-        pairs: &[planes::OrthographicRow<S>; 3],
+        pairs: &[PairRow<S>; 3],
         x: i32,
     ) -> Option<Span<S>> {
         let mut common = Span::whole_line(Face(0));
         for (index, axis) in Axis::ALL.into_iter().enumerate() {
             let between = match &pairs[index] {
-                planes::OrthographicRow::Nowhere => None,
-                planes::OrthographicRow::Across(ends) => ends.span(&view.pairs[index], x),
-                planes::OrthographicRow::EdgeOn(row) => {
-                    self.corners.planes(axis).edge_on_span(row, x)
-                }
+                PairRow::Nowhere => None,
+                PairRow::Across(ends) => ends.span(&view.pairs[index], x),
+                PairRow::EdgeOn(row) => self.corners.planes(axis).edge_on_span(row, x),
             };
             common = common.overlap(between?.with_faces_from(Corners::<S>::first_face(axis)))?;
         }
@@ -137,14 +120,13 @@ impl<S: Scalar> Cuboid<S> {
 #[derive(Debug, Clone, Copy)]
 pub struct OrthographicView<S: Scalar> {
     /// The faces across each axis, and which of them comes first.
-    pairs: [planes::OrthographicView<S>; 3],
+    pairs: [PairView<S>; 3],
     near: [Face; 3],
     outline: Option<Rectangle>,
 }
 
 impl<S: Scalar> Empty for OrthographicView<S> {
-    const EMPTY: Self =
-        Self { pairs: [planes::OrthographicView::EMPTY; 3], near: [Face(0); 3], outline: None };
+    const EMPTY: Self = Self { pairs: [PairView::EMPTY; 3], near: [Face(0); 3], outline: None };
 }
 
 /// A row of a box, seen along parallel rays.
@@ -155,7 +137,7 @@ pub enum OrthographicRow<S: Scalar> {
     /// The rays cross all faces.
     Across([Ends<S>; 3]),
     /// The rays run along some of the faces, or almost.
-    EdgeOn([planes::OrthographicRow<S>; 3]),
+    EdgeOn([PairRow<S>; 3]),
 }
 
 impl<S: Scalar> Empty for OrthographicRow<S> {

@@ -217,9 +217,7 @@ impl<S: Scalar> Shape for Cylinder<S> {
 impl<S: Scalar> Solid for Cylinder<S> {
     #[inline(always)]
     fn spans(&self, line: &Line<S>, first: Face, stack: &mut SpanStack<'_, S>) {
-        if let Some(span) = meet::cylinder(&self.wall, &self.caps, line) {
-            stack.put(span.with_faces_from(first));
-        }
+        stack.put_all(meet::cylinder(&self.wall, &self.caps, line), first);
     }
 
     fn bounds(&self) -> Bounds<S> {

@@ -17,7 +17,7 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cylinder<S> {
     type Row = OrthographicRow<S>;
     type Spans = [Span<S>; 1];
 
-    fn view(&self, rays: &OrthographicRays<S>) -> OrthographicView<S> {
+    fn view(&self, rays: &OrthographicRays<S>) -> Self::View {
         let axis = self.caps.normal.wide();
         let m = rays.forward.cross(axis);
         let steps = rays.steps(self.wall.base.wide());
@@ -56,18 +56,12 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cylinder<S> {
     }
 
     #[inline]
-    fn is_in_rows(&self, view: &OrthographicView<S>, rows: [i32; 2]) -> bool {
+    fn is_in_rows(&self, view: &Self::View, rows: [i32; 2]) -> bool {
         view.rows.meet(rows)
     }
 
     #[inline(never)]
-    fn row(
-        &self,
-        view: &OrthographicView<S>,
-        y: i32,
-        columns: u32,
-        row: &mut OrthographicRow<S>,
-    ) -> Extent {
+    fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
         let [first, second] = [view.first, view.second].map(|of| Affine::row(of, y));
         let beside = |length| Steps::within::<S>(length, self.wall.radius.wide());
         let within_wall = beside(first);
@@ -96,13 +90,7 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cylinder<S> {
     }
 
     #[inline(always)]
-    fn spans(
-        &self,
-        view: &OrthographicView<S>,
-        row: &OrthographicRow<S>,
-        x: i32,
-        [span]: &mut [Span<S>; 1],
-    ) {
+    fn spans(&self, view: &Self::View, row: &Self::Row, x: i32, [span]: &mut [Span<S>; 1]) {
         let Kind::Across(caps) = &row.kind else {
             *span = self.rare_span(view, row, x).unwrap_or(Span::NOWHERE);
             return;
@@ -116,13 +104,7 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cylinder<S> {
     }
 
     #[inline(always)]
-    fn may_contain(
-        &self,
-        view: &OrthographicView<S>,
-        row: &OrthographicRow<S>,
-        x: i32,
-        t: S,
-    ) -> bool {
+    fn may_contain(&self, view: &Self::View, row: &Self::Row, x: i32, t: S) -> bool {
         let Kind::Across(_) = row.kind else { return true };
         let [_, along, _] = view.second;
         let middle = row.second.after_steps(along, x);

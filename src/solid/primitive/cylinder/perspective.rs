@@ -11,7 +11,7 @@
 use super::{Cylinder, frame, set_common, wall_span};
 use crate::geom::{Affine, Extent, PerspectiveRays, Vec3};
 use crate::scalar::{Number, Real, Roots, Scalar};
-use crate::scan::bounds::{PerspectiveBall, constant, extent};
+use crate::scan::bounds::{PerspectiveBall, Silhouette, constant, extent};
 use crate::scan::{Leaf, planes};
 use crate::span::{Face, Span};
 
@@ -60,12 +60,7 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cylinder<S> {
         let [m0, m1] = view.turn;
         let axis = |q, m, right, down| {
             let offset = Affine::row([S::Wide::ZERO, right, down], y);
-            let turn = offset.times(view.caps.inverse_distance);
-            let plus = |middle: S::Wide, way: Affine<S::Wide>| Affine {
-                middle: middle + way.middle,
-                ..way
-            };
-            (plus(q, offset), plus(m, turn))
+            (offset.above(q), offset.times(view.caps.inverse_distance).above(m))
         };
         let ((q0, m0), (q1, m1)) = (axis(q0, m0, right0, down0), axis(q1, m1, right1, down1));
         let reach = Affine::row(view.reach, y);

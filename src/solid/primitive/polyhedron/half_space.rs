@@ -83,9 +83,7 @@ impl<S: Scalar> Shape for HalfSpace<S> {
 
 impl<S: Scalar> Solid for HalfSpace<S> {
     fn spans(&self, line: &Line<S>, first: Face, stack: &mut SpanStack<'_, S>) {
-        if let Some(span) = meet::half_spaces(core::slice::from_ref(self), line) {
-            stack.put(span.with_faces_from(first));
-        }
+        stack.put_all(meet::half_spaces(core::slice::from_ref(self), line), first);
     }
 
     fn onto(&self, _: Face, near: Vec3<S>) -> Vec3<S> {

@@ -242,9 +242,7 @@ impl<S: Scalar, const N: usize, F> Shape for Polyhedron<S, N, F> {
 
 impl<S: Scalar, const N: usize, F: AsRef<[HalfSpace<S>]>> Solid for Polyhedron<S, N, F> {
     fn spans(&self, line: &Line<S>, first: Face, stack: &mut SpanStack<'_, S>) {
-        if let Some(span) = meet::half_spaces(self.faces(), line) {
-            stack.put(span.with_faces_from(first));
-        }
+        stack.put_all(meet::half_spaces(self.faces(), line), first);
     }
 
     fn bounds(&self) -> Bounds<S> {

@@ -133,9 +133,7 @@ impl<S: Scalar> Shape for Slab<S> {
 
 impl<S: Scalar> Solid for Slab<S> {
     fn spans(&self, line: &Line<S>, first: Face, stack: &mut SpanStack<'_, S>) {
-        if let Some(span) = meet::planes(&self.planes, line).span() {
-            stack.put(span.with_faces_from(first));
-        }
+        stack.put_all(meet::planes(&self.planes, line).span(), first);
     }
 
     fn onto(&self, face: Face, near: Vec3<S>) -> Vec3<S> {

@@ -12,17 +12,11 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Slab<S> {
     type Row = OrthographicRow<S>;
     type Spans = [Span<S>; 1];
 
-    fn view(&self, rays: &OrthographicRays<S>) -> OrthographicView<S> {
+    fn view(&self, rays: &OrthographicRays<S>) -> Self::View {
         self.planes.orthographic_view(rays)
     }
 
-    fn row(
-        &self,
-        view: &OrthographicView<S>,
-        y: i32,
-        columns: u32,
-        row: &mut OrthographicRow<S>,
-    ) -> Extent {
+    fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
         *row = self.planes.orthographic_row(view, y, columns);
         match row {
             OrthographicRow::EdgeOn(row) => self.planes.edge_on_steps(row).columns(columns),
@@ -31,13 +25,7 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Slab<S> {
     }
 
     #[inline]
-    fn spans(
-        &self,
-        view: &OrthographicView<S>,
-        row: &OrthographicRow<S>,
-        x: i32,
-        [span]: &mut [Span<S>; 1],
-    ) {
+    fn spans(&self, view: &Self::View, row: &Self::Row, x: i32, [span]: &mut [Span<S>; 1]) {
         let crossed = match row {
             OrthographicRow::Nowhere => None,
             OrthographicRow::Across(ends) => ends.span(view, x),

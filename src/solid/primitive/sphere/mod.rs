@@ -83,9 +83,7 @@ fn span<S: Scalar>(enter: S, exit: S) -> Option<Span<S>> {
 impl<S: Scalar> Solid for Sphere<S> {
     fn spans(&self, line: &Line<S>, first: Face, stack: &mut SpanStack<'_, S>) {
         let ends = meet::ball(&self.ball, line).ends();
-        if let Some(span) = ends.and_then(|(enter, exit)| span(enter, exit)) {
-            stack.put(span.with_faces_from(first));
-        }
+        stack.put_all(ends.and_then(|(enter, exit)| span(enter, exit)), first);
     }
 
     fn bounds(&self) -> Bounds<S> {

@@ -4,7 +4,7 @@ use super::{Sphere, span};
 use crate::geom::{Affine, Extent, PerspectiveRays};
 use crate::scalar::{Roots, Scalar};
 use crate::scan::Leaf;
-use crate::scan::bounds::PerspectiveBall;
+use crate::scan::bounds::{PerspectiveBall, Silhouette};
 use crate::span::Span;
 
 impl<S: Scalar> Leaf<PerspectiveRays<S>> for Sphere<S> {

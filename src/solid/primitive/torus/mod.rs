@@ -173,9 +173,7 @@ impl<S: Scalar> Shape for Torus<S> {
 
 impl<S: Scalar> Solid for Torus<S> {
     fn spans(&self, line: &Line<S>, first: Face, stack: &mut SpanStack<'_, S>) {
-        for span in meet::torus(&self.ready(), line).into_iter().flatten() {
-            stack.put(span.with_faces_from(first));
-        }
+        stack.put_all(meet::torus(&self.ready(), line).into_iter().flatten(), first);
     }
 
     fn bounds(&self) -> Bounds<S> {

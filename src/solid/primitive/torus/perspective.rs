@@ -5,7 +5,7 @@ use crate::geom::{Extent, PerspectiveRays, Rays};
 use crate::quadric::ReadyTorus;
 use crate::scalar::{Number, Scalar};
 use crate::scan::Leaf;
-use crate::scan::bounds::PerspectiveBall;
+use crate::scan::bounds::{PerspectiveBall, Silhouette};
 use crate::span::Span;
 
 impl<S: Scalar> Leaf<PerspectiveRays<S>> for Torus<S> {

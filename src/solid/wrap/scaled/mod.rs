@@ -6,8 +6,8 @@ mod walk;
 
 use super::nearby::anchor;
 use crate::geom::{AffineError, AffineMap, Line, Vec3};
-use crate::scalar::{Real, Scalar};
-use crate::scan::bounds::Bounds;
+use crate::scalar::Scalar;
+use crate::scan::bounds::{Around, Bounds};
 use crate::solid::{Rgb, Solid};
 use crate::span::{Face, Shape, SpanStack};
 
@@ -97,16 +97,8 @@ impl<T: Solid> Solid for Scaled<T> {
     }
 
     fn bounds(&self) -> Bounds<T::Scalar> {
-        let (center, half, is_ball) = match self.solid.bounds() {
-            Bounds::Unbounded => return Bounds::Unbounded,
-            Bounds::Ball { center, radius } => {
-                let radius = radius.wide();
-                (center.wide(), Vec3::new(radius, radius, radius), true)
-            }
-            Bounds::Box { low, high } => {
-                let half = (high.wide() - low.wide()) * Wide::<T>::HALF;
-                (low.wide() + half, half, false)
-            }
+        let Some(Around { center, half, is_ball }) = self.solid.bounds().middle() else {
+            return Bounds::Unbounded;
         };
         let middle = self.map.point_wide(center);
         let reach = self.map.reach(half, is_ball);
@@ -128,5 +120,3 @@ impl<T: Solid> Solid for Scaled<T> {
         self.solid.color(face)
     }
 }
-
-type Wide<T> = <<T as Shape>::Scalar as Scalar>::Wide;
