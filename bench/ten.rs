@@ -57,7 +57,7 @@ fn pictures<S: Scalar>(kind: &str) -> Made<Scene> {
     });
     let ends = |middle: S| [middle.minus(half), middle.plus(half)];
     let around = move |c: Vec3<S>| [c - vec3(half, half, half), c + vec3(half, half, half)];
-    Ok(match kind {
+    match kind {
         "cylinder" => of(ten(|c: Vec3<S>| {
             let [low, high] = ends(c.y);
             Ok(Cylinder::along(Axis::Y, [c.x, c.z], half, low, high)?)
@@ -89,7 +89,7 @@ fn pictures<S: Scalar>(kind: &str) -> Made<Scene> {
         })?),
         "torus" => of(ten(|c: Vec3<S>| Ok(Torus::along(Axis::Y, c, n(47), n(20))?))?),
         other => return Err(format!("{other} is none of {}", KINDS.join(", ")).into()),
-    }?)
+    }
 }
 
 fn of<S, T>(solids: T) -> Made<Scene>
