@@ -88,7 +88,7 @@ fn pictures<S: Scalar>(kind: &str) -> Made<Scene> {
             Ok(Scaled::new(ball, AffineMap::with_columns(columns, c)?))
         })?),
         "torus" => of(ten(|c: Vec3<S>| Ok(Torus::along(Axis::Y, c, n(47), n(20))?))?),
-        other => return Err(format!("{other} is none of {}", KINDS.join(", ")).into()),
+        other => Err(format!("{other} is none of {}", KINDS.join(", ")).into()),
     }
 }
 
