@@ -116,6 +116,11 @@ impl<S: Scalar> Direction<S> {
         }
     }
 
+    /// The point nearest to another one on the plane at `offset` that the direction is normal to.
+    pub(crate) fn onto_plane(&self, offset: S, near: Vec3<S>) -> Vec3<S> {
+        near + self.times(offset.minus(self.dot(near)))
+    }
+
     /// The direction times a length.
     #[inline]
     pub(crate) fn times(&self, length: S) -> Vec3<S> {

@@ -117,6 +117,11 @@ operations! {
 
 /// For constants.
 impl Double<f64> {
+    /// A number as it is.
+    pub(crate) const fn exactly(high: f64) -> Self {
+        Self { high, low: 0.0 }
+    }
+
     /// `a + b`, exactly.
     pub(crate) const fn of_sum(a: f64, b: f64) -> Self {
         let (high, low) = exact_sum(a, b);
@@ -126,7 +131,7 @@ impl Double<f64> {
     /// `self / other`.
     pub(crate) const fn div(self, other: Self) -> Self {
         let high = self.high / other.high;
-        let rest = self.sub(other.mul(Self { high, low: 0.0 }));
+        let rest = self.sub(other.mul(Self::exactly(high)));
         Self::of_sum(high, rest.high / other.high)
     }
 

@@ -40,7 +40,7 @@ impl<S: Scalar> HalfSpace<S> {
 
     /// The point of the plane nearest to a point beside it.
     pub(crate) fn onto_plane(&self, near: Vec3<S>) -> Vec3<S> {
-        near + self.normal.times(self.offset.minus(self.normal.dot(near)))
+        self.normal.onto_plane(self.offset, near)
     }
 
     /// The normal, with the digits of a length.

@@ -100,7 +100,7 @@ impl<S: Scalar> Planes<S> {
     /// The point of a face nearest to a point beside it.
     pub(crate) fn onto_face(&self, face: Face, near: Vec3<S>) -> Vec3<S> {
         let offset = if face.0 == 0 { self.low } else { self.high };
-        near + self.normal.times(offset.minus(self.normal.dot(near)))
+        self.normal.onto_plane(offset, near)
     }
 
     /// The point itself if it is between the planes, or else the nearest one that is.

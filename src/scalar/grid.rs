@@ -58,11 +58,15 @@ impl Grid {
     }
 }
 
-/// The multiple of 2^−bits nearest to a number, halves away from zero.
+/// The multiple of 2^−bits nearest to a number.
 const fn nearest(x: f64, bits: u32) -> f64 {
-    let unit = (1u64 << bits) as f64;
-    let scaled = x * unit;
-    (if scaled < 0.0 { scaled - 0.5 } else { scaled + 0.5 }) as i64 as f64 / unit
+    nearest_units(x, bits) as f64 / (1u64 << bits) as f64
+}
+
+/// The same in units of 2^−bits, halves away from zero; held inside the range.
+pub(super) const fn nearest_units(x: f64, bits: u32) -> i64 {
+    let scaled = x * (1u64 << bits) as f64;
+    (if scaled < 0.0 { scaled - 0.5 } else { scaled + 0.5 }) as i64
 }
 
 #[cfg(test)]

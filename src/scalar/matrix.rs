@@ -58,21 +58,18 @@ pub(super) const fn inverted(m: Matrix<f64>, most: f64) -> Option<Matrix<Double<
     type Words = Double<f64>;
     /// Rounding errors of a determinant, of the size of its terms: a few 2⁻¹⁰⁶.
     const ROUNDING: f64 = 1.0 / (1u128 << 100) as f64;
-    const fn words(high: f64) -> Words {
-        Words { high, low: 0.0 }
-    }
-    let zero = words(0.0);
+    let zero = Words::exactly(0.0);
     let (mut cofactors, mut determinant, mut size) = ([[zero; 3]; 3], zero, 0.0);
     each_entry!(i, j => {
         if m[i][j].abs() > most {
             return None;
         }
         let ([i0, i1], [j0, j1]) = (OTHERS[i], OTHERS[j]);
-        let one = words(m[i0][j0]).mul(words(m[i1][j1]));
-        let other = words(m[i0][j1]).mul(words(m[i1][j0]));
+        let one = Words::exactly(m[i0][j0]).mul(Words::exactly(m[i1][j1]));
+        let other = Words::exactly(m[i0][j1]).mul(Words::exactly(m[i1][j0]));
         cofactors[i][j] = one.sub(other);
         if i == 0 {
-            determinant = determinant.add(cofactors[i][j].mul(words(m[i][j])));
+            determinant = determinant.add(cofactors[i][j].mul(Words::exactly(m[i][j])));
             size += m[i][j].abs() * (one.high.abs() + other.high.abs());
         }
     });

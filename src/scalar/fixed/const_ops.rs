@@ -5,6 +5,7 @@ use super::wide::Wide;
 use super::{FixedI32, Fraction, Unit};
 use crate::numeric::integer::{divide, narrow, shift_right};
 use crate::scalar::const_ops::ConstOps;
+use crate::scalar::grid::nearest_units;
 use crate::scalar::scalar::{Scalar, Stretch};
 
 impl<F: Fraction> ConstOps<FixedI32<F>> {
@@ -50,9 +51,7 @@ impl<F: Fraction> ConstOps<FixedI32<F>> {
 
     /// [`Number::from_f64`](crate::scalar::Number::from_f64).
     pub(crate) const fn from_f64(x: f64) -> FixedI32<F> {
-        let bits = x * (1u64 << F::BITS) as f64;
-        // Halves away from zero; the cast stays inside the range.
-        FixedI32::from_bits((if bits < 0.0 { bits - 0.5 } else { bits + 0.5 }) as i32)
+        FixedI32::from_bits(narrow(nearest_units(x, F::BITS)))
     }
 
     /// [`Scalar::normalized`].

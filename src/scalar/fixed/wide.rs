@@ -2,6 +2,7 @@
 
 use crate::numeric::integer::{long_quotient, long_root, shift_right, shift_right_wide};
 use crate::numeric::steps;
+use crate::scalar::grid::nearest_units;
 use crate::scalar::number::{Number, Real, sealed::Sealed};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -41,8 +42,7 @@ impl Number for Wide {
     }
 
     fn from_f64(number: f64) -> Self {
-        let bits = number * (1u64 << Self::FRACTION_BITS) as f64;
-        Self((if bits < 0.0 { bits - 0.5 } else { bits + 0.5 }) as i64)
+        Self(nearest_units(number, Self::FRACTION_BITS))
     }
 
     fn to_f64(self) -> f64 {

@@ -1,9 +1,8 @@
 //! The corners of a convex polyhedron from its faces, in double precision: when it is made, also in constants.
 
-use super::double::Double;
 use super::error::PolyhedronError;
 use crate::geom::Axis;
-use crate::scalar::{Grid, normalized};
+use crate::scalar::{Double, Grid, normalized};
 
 /// A face: its normal, and how far along it the plane lies.
 pub(super) type Plane = ([f64; 3], f64);
@@ -160,6 +159,21 @@ const fn difference([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
     [a - x, b - y, c - z]
 }
 
+/// As [`cross`], in twice the precision.
+const fn long_cross([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [Double<f64>; 3] {
+    const fn part([a, b]: [f64; 2], [c, d]: [f64; 2]) -> Double<f64> {
+        let product = Double::exactly(a).mul(Double::exactly(b));
+        product.sub(Double::exactly(c).mul(Double::exactly(d)))
+    }
+    [part([b, z], [c, y]), part([c, x], [a, z]), part([a, y], [b, x])]
+}
+
+/// The sum of three numbers, each times another one.
+const fn weighted([a, b, c]: [Double<f64>; 3], [x, y, z]: [f64; 3]) -> Double<f64> {
+    let (a, b) = (a.mul(Double::exactly(x)), b.mul(Double::exactly(y)));
+    a.add(b).add(c.mul(Double::exactly(z)))
+}
+
 /// How far the outermost of some points lies along a normal.
 const fn support(normal: [f64; 3], points: &[[f64; 3]]) -> f64 {
     let mut most = f64::NEG_INFINITY;
@@ -300,16 +314,16 @@ const fn common_point(faces: &[Plane], [i, j, k]: [usize; 3]) -> Option<([f64; 3
 const fn common_point_closely(
     [(n0, d0), (n1, d1), (n2, d2)]: [Plane; 3],
 ) -> Option<([f64; 3], f64)> {
-    let [c0, c1, c2] = [Double::cross(n1, n2), Double::cross(n2, n0), Double::cross(n0, n1)];
-    let determinant = c0[0].times(n0[0]).plus(c0[1].times(n0[1])).plus(c0[2].times(n0[2]));
+    let [c0, c1, c2] = [long_cross(n1, n2), long_cross(n2, n0), long_cross(n0, n1)];
+    let determinant = weighted(c0, n0);
     if determinant.high.abs() < PARALLEL {
         return None;
     }
     let mut point = [0.0; 3];
     let mut axis = 0;
     while axis < 3 {
-        let sum = c0[axis].times(d0).plus(c1[axis].times(d1)).plus(c2[axis].times(d2));
-        point[axis] = sum.over(determinant);
+        let sum = weighted([c0[axis], c1[axis], c2[axis]], [d0, d1, d2]);
+        point[axis] = sum.div(determinant).high;
         axis += 1;
     }
     let size = d0.abs() + d1.abs() + d2.abs() + max_abs(point);
@@ -321,7 +335,7 @@ const fn is_bounded(faces: &[Plane]) -> bool {
     let (mut i, mut j) = (0, 1);
     let mut is_across = false;
     while i + 1 < faces.len() {
-        let [x, y, z] = Double::cross(faces[i].0, faces[j].0);
+        let [x, y, z] = long_cross(faces[i].0, faces[j].0);
         let [x, y, z] = [x.high, y.high, z.high];
         let length = max_abs([x, y, z]);
         if length > 1e-15 {

@@ -1,6 +1,5 @@
 //! The convex polyhedron.
 
-mod double;
 mod error;
 mod half_space;
 mod hull;
