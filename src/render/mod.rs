@@ -1,6 +1,7 @@
 //! Cameras, pictures and their scanlines, shading and pixels.
 
 mod camera;
+mod palette;
 mod picture;
 pub mod pixel;
 mod sample;
@@ -11,8 +12,9 @@ mod source;
 
 pub use crate::solid::Rgb;
 pub use camera::{Camera, CameraError, Orthographic, Perspective};
+pub use palette::Palette;
 pub use picture::{Picture, RowError, Run, Scanline};
-pub use pixel::{Blend, Gray8, Pixel, Rgb565};
+pub use pixel::{Blend, Gray8, Mono, Pixel, Rgb565, Rgb888};
 pub use sample::Sample;
 pub use shade::{Depth, Lambert, ShadeError, Shader, XRay};
 pub use size::{Size, SizeError};

@@ -1,7 +1,7 @@
 //! Pictures and their scanlines: solid → view → row → pixels, without a frame buffer.
 
 use super::sample::Sample;
-use super::{Camera, Pixel, Shader, Size};
+use super::{Camera, Palette, Pixel, Shader, Size};
 use crate::geom::Rays;
 use crate::scalar::Scalar;
 use crate::scan::{ColumnRun, Empty, Scan};
@@ -109,6 +109,12 @@ where
     #[must_use]
     pub fn size(&self) -> Size {
         self.size
+    }
+
+    /// The colours of the solid's faces.
+    #[must_use]
+    pub fn palette(&self) -> Palette {
+        (0..T::FACES).map(|face| self.solid.color(Face(face)).unwrap_or(Rgb::WHITE)).collect()
     }
 
     /// Does now what the first row would do otherwise: computes what the camera decides about every

@@ -1,7 +1,7 @@
 //! Pictures with smooth edges: n × n samples a pixel, but only where an edge is.
 
 use super::picture::{Picture, RowError, Scanline};
-use super::{Blend, Camera, Pixel, Shader, Size};
+use super::{Blend, Camera, Palette, Pixel, Shader, Size};
 use crate::geom::Rays;
 use crate::scan::{ColumnRun, Scan};
 use crate::solid::{Seen, Solid};
@@ -161,6 +161,12 @@ where
     #[must_use]
     pub fn size(&self) -> Size {
         self.smoothing.size
+    }
+
+    /// The colours of the solid's faces.
+    #[must_use]
+    pub fn palette(&self) -> Palette {
+        self.picture.palette()
     }
 
     /// Renders row `y`, counted from the top, into `pixels`.

@@ -1,6 +1,6 @@
 //! Whatever renders rows in any order.
 
-use super::{Blend, Picture, Pixel, RowError, Shader, Size, SmoothPicture};
+use super::{Blend, Palette, Picture, Pixel, RowError, Shader, Size, SmoothPicture};
 use crate::geom::Rays;
 use crate::solid::{Scan, Solid};
 
@@ -63,6 +63,11 @@ pub trait RowSource {
     /// [`RowError::Index`], [`RowError::Range`]; [`RowError::Length`] if `pixels` is not as long as the
     /// picture is wide. Nothing is written then.
     fn render(&mut self, y: u16, pixels: &mut [Self::Pixel]) -> Result<(), RowError>;
+
+    /// The colours of the surfaces, before they are lit. None unless the source says some.
+    fn palette(&self) -> Palette {
+        Palette::EMPTY
+    }
 }
 
 impl<T, R, H, P> RowSource for Picture<'_, T, R, H, P>
@@ -81,6 +86,10 @@ where
     fn render(&mut self, y: u16, pixels: &mut [P]) -> Result<(), RowError> {
         self.scanline(y)?.render(pixels)
     }
+
+    fn palette(&self) -> Palette {
+        self.palette()
+    }
 }
 
 impl<T, R, H, P> RowSource for SmoothPicture<'_, '_, T, R, H, P>
@@ -98,5 +107,9 @@ where
 
     fn render(&mut self, y: u16, pixels: &mut [P]) -> Result<(), RowError> {
         self.render(y, pixels)
+    }
+
+    fn palette(&self) -> Palette {
+        self.palette()
     }
 }

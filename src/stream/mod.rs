@@ -92,6 +92,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod assembler;
 mod codec;
 mod crc;
 mod decoder;
@@ -103,15 +104,16 @@ mod sender;
 mod serve;
 mod wire;
 
-pub use codec::{Encoding, RowPayload};
+pub use assembler::{Assembler, Event, Memory, ReceiveError};
+pub use codec::{Coding, Encoding, Plain, RowCoding, RowPayload};
 pub use crc::{FrameHash, RowHash};
 pub use decoder::Decoder;
 pub use error::{EncodeError, PacketError, UnpackError};
-pub use pixel::{PixelFormat, WirePixel};
-pub use receiver::{Event, ReceiveError, Receiver};
-pub use sender::{SendError, Sender};
-pub use serve::{Delivery, Patience, serve};
+pub use pixel::{PixelFormat, Wire, WirePixel};
+pub use receiver::{Receiver, Timing, Traffic};
+pub use sender::{Delivery, Patience, Sender, Task};
+pub use serve::{Clock, Looks, ServeError, serve};
 pub use wire::{
     CONTROL_CAPACITY, FrameHeader, PROTOCOL_VERSION, Packet, Part, Request, encode_ack, encode_end,
-    encode_header, encode_request, encode_row, packet_capacity,
+    encode_header, encode_request, encode_row, packet_capacity, row_capacity,
 };

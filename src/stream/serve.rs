@@ -1,53 +1,65 @@
 //! The loop of firmware: render, send, listen, and render again what was lost.
 
+use core::fmt;
+
 use embedded_io::{Read, ReadReady, Write};
 
-use super::decoder::Decoder;
-use super::pixel::WirePixel;
-use super::sender::{SendError, Sender};
-use super::wire::{CONTROL_CAPACITY, FrameHeader, Packet, Part};
-use crate::render::RowSource;
+use super::codec::RowCoding;
+use super::error::EncodeError;
+use super::pixel::{Wire, WirePixel};
+use super::sender::{Delivery, Sender, Task};
+use super::wire::FrameHeader;
+use crate::render::{Palette, RowError, RowSource};
 
-/// How long [`serve`] waits for the other end, which has no clock: it counts its looks at the line.
+/// What counts the ticks of [`serve`], and passes the time.
 ///
-/// A look is one call of [`read_ready`](ReadReady::read_ready) that found nothing. On a microcontroller that
-/// asks a register, some ten to thirty instructions pass from look to look: 500,000 looks are about a
-/// second at 16 MHz. A `read_ready` that itself waits, for a timer's tick or in an operating system, needs
-/// fewer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Patience {
-    /// So many looks since the last packet are a silence, and the end of the frame is sent once more.
-    /// Bytes that are no packet don't break a silence.
-    pub looks: u32,
-    /// After so many silences, one after the other, the frame counts as unheard.
-    pub silences: u32,
+/// [`Looks`] needs no timer. Implement it for your timer to count milliseconds, or to sleep.
+pub trait Clock {
+    /// The ticks so far; they wrap around.
+    fn now(&mut self) -> u32;
+
+    /// There is nothing to do for so many ticks, unless the other end says something: waits for that long
+    /// or less.
+    fn idle(&mut self, ticks: u32);
 }
 
-/// How a frame ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+/// A [`Clock`] that counts looks at the line that found nothing.
+///
+/// On a microcontroller whose [`read_ready`](ReadReady::read_ready) asks a register, some ten to thirty
+/// instructions pass from look to look: 500,000 looks are about a second at 16 MHz.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Delivery {
-    /// The other end has the whole frame.
-    Acknowledged {
-        /// How many things it has asked for again.
-        repairs: u16,
-    },
-    /// The other end said nothing for as long as there was [`Patience`]: nobody is there, or can't answer.
-    Unheard,
+pub struct Looks(u32);
+
+impl Looks {
+    /// No looks so far.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self(0)
+    }
+}
+
+impl Clock for Looks {
+    fn now(&mut self) -> u32 {
+        self.0
+    }
+
+    fn idle(&mut self, _: u32) {
+        self.0 = self.0.wrapping_add(1);
+    }
 }
 
 /// Sends one frame, and then renders again whatever was lost on the way, until the other end has all of
 /// it.
 ///
-/// `frame` is the frame's id: count it up from frame to frame. `pixels` is the memory for one row; the
-/// sender has that for one packet. A 16-byte buffer for answers is all that comes on top.
+/// `frame` is the frame's id: count it up from frame to frame. `pixels` is the memory for one row.
+/// Requests are served between rows. `read_ready` must not wait.
 ///
 /// # Errors
 ///
-/// [`SendError::Render`] if a row can't be rendered, as when `pixels` is not one row;
-/// [`SendError::Encode`] if the sender's buffer is too small for the source's rows; [`SendError::Io`],
-/// [`SendError::Listen`] or [`SendError::Closed`] if the line fails. The frame is then over: call it again
+/// [`ServeError::Render`] if a row can't be rendered, as when `pixels` is not one row;
+/// [`ServeError::Encode`] if the sender's buffer is too small for the source's rows; [`ServeError::Write`],
+/// [`ServeError::Read`] or [`ServeError::Closed`] if the line fails. The frame is then over: call it again
 /// with the next id.
 ///
 /// ```
@@ -56,7 +68,7 @@ pub enum Delivery {
 /// use scancsg::render::{Gray8, Lambert, Orthographic, Picture, Size};
 /// use scancsg::solid::Sphere;
 /// use scancsg::stream::{
-///     Delivery, Patience, PixelFormat, Sender, encode_ack, packet_capacity, serve,
+///     Delivery, Looks, Patience, PixelFormat, Plain, Sender, encode_ack, row_capacity, serve,
 /// };
 ///
 /// /// In firmware, your HAL's serial port. Here the other end has answered beforehand.
@@ -91,83 +103,123 @@ pub enum Delivery {
 ///
 /// let mut answer = [0; 16];
 /// let length = encode_ack(7, &mut answer)?;
-/// let port = Port(&answer[..length]);
+/// let mut port = Port(&answer[..length]);
 ///
-/// let mut sender = Sender::<_, { packet_capacity(32, PixelFormat::Gray8) }>::new(port);
+/// let patience = Patience { ticks: 500_000, silences: 3 };
+/// let mut sender = Sender::<_, { row_capacity(32, PixelFormat::Gray8) }>::new(Plain, patience);
 /// let mut row = [Gray8(0); 32];
-/// let patience = Patience { looks: 500_000, silences: 3 };
-/// let delivery = serve(&mut picture, 7, &mut sender, &mut row, patience)?;
+/// let delivery = serve(&mut picture, 7, &mut sender, &mut port, &mut row, &mut Looks::new())?;
 /// assert_eq!(delivery, Delivery::Acknowledged { repairs: 0 });
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn serve<S, L, const N: usize>(
+pub fn serve<S, L, C, const N: usize>(
     source: &mut S,
     frame: u16,
-    sender: &mut Sender<L, N>,
+    sender: &mut Sender<C, N>,
+    line: &mut L,
     pixels: &mut [S::Pixel],
-    patience: Patience,
-) -> Result<Delivery, SendError<L::Error>>
+    clock: &mut impl Clock,
+) -> Result<Delivery, ServeError<L::Error>>
 where
     S: RowSource<Pixel: WirePixel> + ?Sized,
-    L: Read + ReadReady + Write,
+    L: Read + ReadReady + Write + ?Sized,
+    C: RowCoding<S::Pixel>,
 {
-    let size = source.size();
-    let (width, height) = (size.width(), size.height());
-    sender.begin(FrameHeader { frame, width, height, format: S::Pixel::FORMAT })?;
-    for y in 0..height {
-        source.render(y, pixels).map_err(SendError::Render)?;
-        sender.row(y, pixels)?;
-    }
-    sender.end()?;
-
-    let mut decoder = Decoder::<CONTROL_CAPACITY>::new();
-    let (mut looks, mut silences, mut repairs) = (0, 0, 0_u16);
-    while silences < patience.silences {
-        let Some(byte) = look(sender.writer_mut())? else {
-            if looks == 0 {
-                // The other end can't answer what still waits in a buffer.
-                sender.writer_mut().flush().map_err(SendError::Io)?;
+    sender.begin(header_of(source, frame)).map_err(ServeError::Encode)?;
+    let mut rendered = None;
+    let mut is_flushed = true;
+    loop {
+        while line.read_ready().map_err(ServeError::Read)? {
+            let mut bytes = [0; 16];
+            let count = line.read(&mut bytes).map_err(ServeError::Read)?;
+            if count == 0 {
+                return Err(ServeError::Closed);
             }
-            looks += 1;
-            if looks >= patience.looks {
-                (looks, silences) = (0, silences + 1);
-                sender.end_again()?;
+            bytes.iter().take(count).for_each(|byte| sender.receive(*byte, clock.now()));
+        }
+        match sender.poll(clock.now()) {
+            Task::Send(packet) => {
+                line.write_all(packet).map_err(ServeError::Write)?;
+                sender.sent(clock.now());
+                is_flushed = false;
             }
-            continue;
-        };
-        // What can't be read is asked for again by the other end.
-        let Some(Ok(packet)) = decoder.push(byte) else { continue };
-        (looks, silences) = (0, 0);
-        match packet {
-            Packet::Ack { frame: whole } if whole == frame => {
-                return Ok(Delivery::Acknowledged { repairs });
-            }
-            Packet::Request(request) if request.frame == frame => {
-                repairs = repairs.saturating_add(1);
-                match request.part {
-                    Part::Header => sender.header_again()?,
-                    Part::End => sender.end_again()?,
-                    Part::Row(y) if y < height => {
-                        source.render(y, pixels).map_err(SendError::Render)?;
-                        sender.resend_row(y, pixels)?;
-                    }
-                    Part::Row(_) => {}
+            Task::Row(y) => {
+                if rendered != Some(y) {
+                    source.render(y, pixels).map_err(ServeError::Render)?;
+                    rendered = Some(y);
                 }
+                sender.row(y, pixels).map_err(ServeError::Encode)?;
             }
-            _ => {}
+            Task::Listen(ticks) if is_flushed => clock.idle(ticks),
+            // The other end can't answer what still waits in a buffer.
+            Task::Listen(_) => {
+                line.flush().map_err(ServeError::Write)?;
+                is_flushed = true;
+            }
+            Task::Done(delivery) => {
+                line.flush().map_err(ServeError::Write)?;
+                return Ok(delivery);
+            }
         }
     }
-    Ok(Delivery::Unheard)
 }
 
-/// The next byte of the line, if there is one.
-fn look<L: Read + ReadReady>(line: &mut L) -> Result<Option<u8>, SendError<L::Error>> {
-    if !line.read_ready().map_err(SendError::Listen)? {
-        return Ok(None);
+/// The header of a source's frame.
+pub(super) fn header_of<S>(source: &S, frame: u16) -> FrameHeader
+where
+    S: RowSource<Pixel: WirePixel> + ?Sized,
+{
+    let size = source.size();
+    let format = <S::Pixel as WirePixel>::Wire::FORMAT;
+    let palette = if format.has_colors() { source.palette() } else { Palette::EMPTY };
+    FrameHeader { frame, width: size.width(), height: size.height(), format, palette }
+}
+
+/// Why [`serve`] could not deliver a frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum ServeError<E> {
+    /// The row can't be rendered.
+    Render(RowError),
+    /// The packet can't be made.
+    Encode(EncodeError),
+    /// Writing to the line failed.
+    Write(E),
+    /// Reading answers from the line failed.
+    Read(E),
+    /// No more answers can come: the line's other end is closed.
+    Closed,
+}
+
+impl<E> ServeError<E> {
+    /// The error in words. Of a line's own error only that there is one:
+    /// [`source`](core::error::Error::source) has the rest.
+    #[must_use]
+    pub const fn as_str(&self) -> &'static str {
+        match self {
+            Self::Render(error) => error.as_str(),
+            Self::Encode(error) => error.as_str(),
+            Self::Write(_) => "writing to the line failed",
+            Self::Read(_) => "reading from the line failed",
+            Self::Closed => "line is closed at its other end",
+        }
     }
-    let mut byte = [0];
-    match line.read(&mut byte).map_err(SendError::Listen)? {
-        0 => Err(SendError::Closed),
-        _ => Ok(byte.first().copied()),
+}
+
+impl<E> fmt::Display for ServeError<E> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.as_str())
+    }
+}
+
+impl<E: core::error::Error + 'static> core::error::Error for ServeError<E> {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            Self::Write(error) | Self::Read(error) => Some(error),
+            Self::Render(error) => Some(error),
+            Self::Encode(error) => Some(error),
+            Self::Closed => None,
+        }
     }
 }

@@ -9,19 +9,23 @@
 mod blend;
 mod gray8;
 mod level;
+mod mono;
 mod rgb565;
+mod rgb888;
 
 pub use blend::{Blend, mean};
 pub use gray8::Gray8;
 pub use level::{narrow, scale};
+pub use mono::Mono;
 pub use rgb565::Rgb565;
+pub use rgb888::Rgb888;
 
 use crate::solid::Rgb;
 
 /// A pixel that a row can be made of.
 ///
-/// Implement it for the colours of your display, and a picture renders into a row of them. [`Gray8`]
-/// and [`Rgb565`] are ready; [`scale`] and [`narrow`] do the arithmetic of others.
+/// Implement it for the colours of your display, and a picture renders into a row of them. [`Gray8`],
+/// [`Rgb565`], [`Rgb888`] and [`Mono`] are ready; [`scale`] and [`narrow`] do the arithmetic of others.
 ///
 /// ```
 /// use scancsg::geom::vec3;

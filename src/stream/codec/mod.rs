@@ -4,7 +4,8 @@ mod packbits;
 mod raw;
 
 use super::error::UnpackError;
-use super::pixel::{PixelFormat, WirePixel};
+use super::pixel::{PixelFormat, Units, WirePixel};
+use crate::render::Palette;
 
 /// How a row's pixels are written down.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -37,7 +38,8 @@ impl Encoding {
 
     /// The encoding in which these pixels are shortest; of two that are equally short, the simpler one.
     pub(super) fn shortest<P: WirePixel>(pixels: &[P]) -> Self {
-        if packbits::len(pixels) < raw::len(pixels) { Self::PackBits } else { Self::Raw }
+        let units = Units(pixels);
+        if packbits::len(units) < units.bytes() { Self::PackBits } else { Self::Raw }
     }
 
     /// Gives the pixels, in this encoding, to `put`, some bytes at a time and never none.
@@ -47,8 +49,8 @@ impl Encoding {
         put: &mut impl FnMut(&[u8]) -> Result<(), E>,
     ) -> Result<(), E> {
         match self {
-            Self::Raw => raw::pack(pixels, put),
-            Self::PackBits => packbits::pack(pixels, put),
+            Self::Raw => raw::pack(Units(pixels), put),
+            Self::PackBits => packbits::pack(Units(pixels), put),
         }
     }
 
@@ -62,6 +64,42 @@ impl Encoding {
             Self::Raw => Ok(Some((core::mem::take(bytes), 1)).filter(|(run, _)| !run.is_empty())),
             Self::PackBits => packbits::take_run(bytes, format),
         }
+    }
+}
+
+/// How a sender codes rows: [`Plain`] or [`Predictive`](super::Predictive).
+pub trait Coding {
+    /// Begins a packet of rows of a frame whose surfaces have these colours.
+    fn begin(&mut self, palette: &Palette);
+
+    /// Ends the packet: the size of its payload, whose beginning is in `payload` already.
+    fn finish(&mut self, payload: &mut [u8]) -> usize;
+}
+
+/// A [`Coding`] that can code rows of these pixels.
+pub trait RowCoding<P>: Coding {
+    /// Adds a row to the packet, if it fits into `payload` behind the rows before it.
+    fn push(&mut self, pixels: &[P], payload: &mut [u8]) -> bool;
+}
+
+/// Each row is coded for itself, as it is or in runs, and has a packet of its own.
+///
+/// It needs the least memory, flash and time, and the most bytes on the line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Plain;
+
+impl Coding for Plain {
+    fn begin(&mut self, _: &Palette) {}
+
+    fn finish(&mut self, _: &mut [u8]) -> usize {
+        0
+    }
+}
+
+impl<P: WirePixel> RowCoding<P> for Plain {
+    fn push(&mut self, _: &[P], _: &mut [u8]) -> bool {
+        false
     }
 }
 
