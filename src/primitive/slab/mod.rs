@@ -5,9 +5,9 @@ mod perspective;
 
 use crate::geom::{Axis, Direction, Line, Vec3};
 use crate::quadric::{Planes, meet};
+use crate::query::Solid;
 use crate::scalar::{ConstOps, Scalar, per_scalar};
 use crate::scan::leaf;
-use crate::solid::Solid;
 use crate::span::{Face, Shape, SpanStack};
 
 /// The points p with `low ≤ normal · p ≤ high`.
@@ -78,7 +78,7 @@ per_scalar! { $S: impl[] Slab<$S> {
     }
 
     /// The slab of a normal.
-    pub(in crate::solid) const fn with_normal(
+    pub(crate) const fn with_normal(
         normal: Direction<$S>,
         low: $S,
         high: $S,

@@ -3,7 +3,7 @@
 use super::hit::{Hit, Seen, first_seen, seen_at};
 use super::rebased::{is_near_start, line_spans, seen_near, trace_rebased};
 use crate::geom::Ray;
-use crate::solid::Solid;
+use crate::query::Solid;
 use crate::span::{Span, SpanList};
 
 /// Where a single ray meets a solid: distance sensors, picking, tests. Every [`Solid`] has it.

@@ -3,8 +3,8 @@
 use super::Cylinder;
 use crate::geom::{Ray, Vec3};
 use crate::quadric::meet;
+use crate::query::seen_at;
 use crate::scalar::Scalar;
-use crate::solid::query::seen_at;
 
 /// The wall of a cylinder, without caps: a surface, not a solid, so it can't be combined.
 ///

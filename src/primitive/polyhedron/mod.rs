@@ -11,10 +11,10 @@ pub use half_space::HalfSpaceError;
 
 use crate::geom::{Axis, Direction, Line, Vec3};
 use crate::quadric::{HalfSpace, meet};
+use crate::query::Solid;
 use crate::scalar::{ConstOps, Number, Scalar, per_scalar};
 use crate::scan::bounds::Bounds;
 use crate::scan::leaf;
-use crate::solid::Solid;
 use crate::span::{Face, Shape, SpanStack};
 use hull::Hull;
 

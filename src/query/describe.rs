@@ -6,9 +6,9 @@ use crate::span::{Face, Shape, SpanStack};
 
 /// A solid: where lines are inside it, and what its surface is like.
 ///
-/// Implement it for a solid of your own, wrap that in a [`ByLine`](super::ByLine), and it can be
+/// Implement it for a solid of your own, wrap that in a [`ByLine`](crate::solid::ByLine), and it can be
 /// combined, traced and rendered like the crate's solids. There is an example at
-/// [`ByLine`](super::ByLine).
+/// [`ByLine`](crate::solid::ByLine).
 pub trait Solid: Shape {
     /// Pushes the spans of the line with the solid, in ascending order and regularised (every span
     /// has a length, and there is a gap between any two), with faces counted from `first` on.
@@ -32,7 +32,7 @@ pub trait Solid: Shape {
 
     /// The point of a face nearest to a point that lies beside it by a rounding error.
     ///
-    /// [`RayCast::hit`](super::RayCast::hit) reports such points, so that a ray that starts there
+    /// [`RayCast::hit`](crate::solid::RayCast::hit) reports such points, so that a ray that starts there
     /// starts on the surface.
     fn onto(&self, face: Face, near: Vec3<Self::Scalar>) -> Vec3<Self::Scalar> {
         let _ = face;

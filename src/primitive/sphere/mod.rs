@@ -5,10 +5,10 @@ mod perspective;
 
 use crate::geom::{Line, Vec3};
 use crate::quadric::{Ball, meet};
+use crate::query::Solid;
 use crate::scalar::{ConstOps, Scalar, per_scalar};
 use crate::scan::bounds::Bounds;
 use crate::scan::leaf;
-use crate::solid::Solid;
 use crate::span::{Crossing, Face, Shape, Span, SpanStack};
 
 /// A solid sphere.

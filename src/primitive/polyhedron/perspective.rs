@@ -3,11 +3,11 @@
 use super::Polyhedron;
 use crate::geom::{Extent, PerspectiveRays};
 use crate::quadric::HalfSpace;
+use crate::query::Solid;
 use crate::scalar::Scalar;
 use crate::scan::Leaf;
 use crate::scan::bounds::{Outline, PerspectiveBall, Silhouette};
 use crate::scan::planes::{PerspectiveRow, PerspectiveView};
-use crate::solid::Solid;
 use crate::span::{Face, Span};
 
 impl<S: Scalar> Leaf<PerspectiveRays<S>> for HalfSpace<S> {

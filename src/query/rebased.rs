@@ -6,8 +6,8 @@
 
 use super::hit::{Seen, first_seen};
 use crate::geom::{Line, Ray};
+use crate::query::Solid;
 use crate::scalar::{Number, Real, Scalar};
-use crate::solid::Solid;
 use crate::span::{Crossing, Face, Span, SpanList};
 
 /// Fills the list with the spans of a line, in the line's own parameter.

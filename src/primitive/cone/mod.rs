@@ -7,10 +7,10 @@ mod pixel;
 use super::cylinder::{Cylinder, CylinderError, frame, set_common};
 use crate::geom::{Axis, AxisLine, Line, Vec3};
 use crate::quadric::{Planes, Taper, WALL, Wall, meet};
+use crate::query::Solid;
 use crate::scalar::{ConstOps, Number, Real, Scalar, per_scalar};
 use crate::scan::bounds::Bounds;
 use crate::scan::leaf;
-use crate::solid::Solid;
 use crate::span::{Face, Shape, Span, SpanStack};
 
 /// A solid cone, or a piece of one between two flat caps: for countersinks, tapers and tips.

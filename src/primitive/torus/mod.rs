@@ -5,10 +5,10 @@ mod perspective;
 
 use crate::geom::{Axis, Direction, Line, RayRow, Vec3};
 use crate::quadric::{ReadyTorus, Ring, meet};
+use crate::query::Solid;
 use crate::scalar::{ConstOps, Scalar, per_scalar};
 use crate::scan::bounds::Bounds;
 use crate::scan::leaf;
-use crate::solid::Solid;
 use crate::span::{Face, Shape, Span, SpanStack};
 
 /// A solid torus: all points within the tube's radius r of a circle, the ring, of radius R > r. Take it

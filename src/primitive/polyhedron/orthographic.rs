@@ -6,11 +6,11 @@
 use super::Polyhedron;
 use crate::geom::{Affine, Extent, OrthographicRays, signed};
 use crate::quadric::HalfSpace;
+use crate::query::Solid;
 use crate::scalar::{Number, Real, Scalar};
 use crate::scan::bounds::{Outline, Rectangle, Silhouette, Steps};
 use crate::scan::planes::{OrthographicFace, OrthographicView};
 use crate::scan::{Empty, Leaf};
-use crate::solid::Solid;
 use crate::span::{Crossing, Face, Span};
 
 impl<S: Scalar> Leaf<OrthographicRays<S>> for HalfSpace<S> {

@@ -10,10 +10,10 @@ pub use open::{CylinderWall, WallHit};
 
 use crate::geom::{Axis, AxisLine, Direction, Line, Vec3};
 use crate::quadric::{Planes, WALL, Wall, meet};
+use crate::query::Solid;
 use crate::scalar::{ConstOps, Real, Scalar, Stretch, per_scalar};
 use crate::scan::bounds::Bounds;
 use crate::scan::leaf;
-use crate::solid::Solid;
 use crate::span::{Crossing, Face, Shape, Span, SpanStack};
 
 /// A solid cylinder with flat caps: the infinite cylinder, cut by a slab.
@@ -23,9 +23,9 @@ use crate::span::{Crossing, Face, Shape, Span, SpanStack};
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cylinder<S: Scalar> {
-    pub(in crate::solid) wall: Wall<S>,
+    pub(crate) wall: Wall<S>,
     /// Their normal is the axis.
-    pub(in crate::solid) caps: Planes<S>,
+    pub(crate) caps: Planes<S>,
 }
 
 crate::error_text! {

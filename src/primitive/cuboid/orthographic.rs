@@ -6,11 +6,11 @@
 use super::Cuboid;
 use crate::geom::{Axis, Extent, OrthographicRays};
 use crate::quadric::Corners;
+use crate::query::Solid;
 use crate::scalar::Scalar;
 use crate::scan::bounds::{Outline, Rectangle, Silhouette, Steps};
 use crate::scan::planes::{Ends, OrthographicRow as PairRow, OrthographicView as PairView};
 use crate::scan::{Empty, Leaf};
-use crate::solid::Solid;
 use crate::span::{Crossing, Face, Span};
 
 impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {

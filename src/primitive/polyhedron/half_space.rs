@@ -2,9 +2,9 @@
 
 use crate::geom::{Axis, Direction, Line, Vec3};
 use crate::quadric::{HalfSpace, meet};
+use crate::query::Solid;
 use crate::scalar::{ConstOps, Scalar, per_scalar};
 use crate::scan::leaf;
-use crate::solid::Solid;
 use crate::span::{Face, Shape, SpanStack};
 
 crate::error_text! {

@@ -5,10 +5,10 @@ mod perspective;
 
 use crate::geom::{Axis, Line, Vec3};
 use crate::quadric::{Corners, meet};
+use crate::query::Solid;
 use crate::scalar::{ConstOps, Scalar, per_scalar};
 use crate::scan::bounds::Bounds;
 use crate::scan::leaf;
-use crate::solid::Solid;
 use crate::span::{Face, Shape, SpanStack};
 
 /// A box along the coordinate axes: the points between two corners. Turn it with a
