@@ -93,26 +93,38 @@
 //! ```
 
 mod assembler;
+mod clock;
 mod codec;
 mod crc;
 mod decoder;
 mod error;
 mod framing;
 mod pixel;
+mod receive;
 mod receiver;
 mod sender;
 mod serve;
+#[cfg(feature = "async")]
+mod serve_async;
+mod serve_error;
 mod wire;
 
 pub use assembler::{Assembler, Event, Memory, ReceiveError};
+#[cfg(feature = "async")]
+pub use clock::AsyncClock;
+pub use clock::{Clock, Looks};
 pub use codec::{Coding, Encoding, Plain, RowCoding, RowPayload};
 pub use crc::{FrameHash, RowHash};
 pub use decoder::Decoder;
 pub use error::{EncodeError, PacketError, UnpackError};
 pub use pixel::{PixelFormat, Wire, WirePixel};
+pub use receive::receive;
 pub use receiver::{Receiver, Timing, Traffic};
 pub use sender::{Delivery, Patience, Sender, Task};
-pub use serve::{Clock, Looks, ServeError, serve};
+pub use serve::serve;
+#[cfg(feature = "async")]
+pub use serve_async::{receive_async, serve_async};
+pub use serve_error::ServeError;
 pub use wire::{
     CONTROL_CAPACITY, FrameHeader, PROTOCOL_VERSION, Packet, Part, Request, encode_ack, encode_end,
     encode_header, encode_request, encode_row, packet_capacity, row_capacity,
