@@ -98,6 +98,7 @@ mod codec;
 mod crc;
 mod decoder;
 mod error;
+pub mod faults;
 mod framing;
 mod pixel;
 mod receive;
