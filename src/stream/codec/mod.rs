@@ -1,6 +1,8 @@
 //! How a row's pixels are written down: one file for each encoding, and the choice between them.
 
 mod packbits;
+#[allow(dead_code, unused_imports)] // until the packets of rows are there
+mod predictive;
 mod raw;
 
 use super::error::UnpackError;
