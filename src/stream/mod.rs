@@ -55,6 +55,7 @@ mod codec;
 mod crc;
 mod decoder;
 mod error;
+pub mod faults;
 mod framing;
 mod pixel;
 mod receive;

@@ -33,8 +33,10 @@ where
             receiver.receive(&mut &byte[..], clock.now())
         } else {
             clock.idle(1);
-            receiver.poll(clock.now())
+            None
         };
+        // Also while bytes come: they may be noise.
+        let event = event.or_else(|| receiver.poll(clock.now()));
         while let Some(answer) = receiver.answer() {
             line.write_all(answer).map_err(ServeError::Write)?;
             line.flush().map_err(ServeError::Write)?;

@@ -90,7 +90,12 @@ where
     let mut rendered = None;
     let mut is_flushed = true;
     loop {
-        while line.read_ready().map_err(ServeError::Read)? {
+        let mut is_quiet = false;
+        for _ in 0..READS {
+            is_quiet = !line.read_ready().map_err(ServeError::Read)?;
+            if is_quiet {
+                break;
+            }
             let mut bytes = [0; 16];
             let count = line.read(&mut bytes).map_err(ServeError::Read)?;
             if count == 0 {
@@ -111,7 +116,7 @@ where
                 }
                 sender.row(y, pixels).map_err(ServeError::Encode)?;
             }
-            Task::Listen(ticks) if is_flushed => clock.idle(ticks),
+            Task::Listen(ticks) if is_flushed => clock.idle(if is_quiet { ticks } else { 0 }),
             // The other end can't answer what still waits in a buffer.
             Task::Listen(_) => {
                 line.flush().map_err(ServeError::Write)?;
@@ -124,6 +129,9 @@ where
         }
     }
 }
+
+/// So often the line is read before the next packet: noise without end must not hold a frame.
+pub(super) const READS: u8 = 8;
 
 /// The header of a source's frame.
 pub(super) fn header_of<S>(source: &S, frame: u16) -> FrameHeader

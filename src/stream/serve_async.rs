@@ -12,7 +12,7 @@ use super::codec::RowCoding;
 use super::pixel::WirePixel;
 use super::receiver::Receiver;
 use super::sender::{Delivery, Sender, Task};
-use super::serve::header_of;
+use super::serve::{READS, header_of};
 use super::serve_error::ServeError;
 use crate::render::RowSource;
 
@@ -43,7 +43,8 @@ where
     let mut is_flushed = true;
     loop {
         let mut bytes = [0; 16];
-        while let Some(count) = read(line, &mut bytes, clock, ticks).await? {
+        for _ in 0..READS {
+            let Some(count) = read(line, &mut bytes, clock, ticks).await? else { break };
             ticks = 0;
             let now = clock.now();
             bytes.iter().take(count).for_each(|byte| sender.receive(*byte, now));
