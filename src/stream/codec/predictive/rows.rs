@@ -69,6 +69,8 @@ pub(crate) fn code<C: Bins, A: Alphabet>(
 ) {
     let Start { left: mut pixel, is_first } = start;
     let (width, top) = (above.len(), alphabet.top());
+    // Of the first row's gradients only d2 isn't 0, so it has 3 contexts.
+    let contexts = if is_first { 63 } else { 0 };
     let (mut w, mut n, mut nw, mut ne) = (0, 0, 0, 0);
     if !is_first {
         n = recall::<A>(above, 0, 0);
@@ -124,12 +126,9 @@ pub(crate) fn code<C: Bins, A: Alphabet>(
             let (d1, d2, d3) = (w - nw, nw - n, n - ne);
             let guess =
                 if is_smooth(d1) && is_smooth(d2) { (w - d2).clamp(0, top) } else { med(w, n, nw) };
-            let signed = level(d1) * 25 + level(d2) * 5 + level(d3);
+            let signed = level(d1) * 25 + level(d3) * 5 + level(d2);
             let flip = signed < 0;
-            let mut gradients = signed.unsigned_abs() as usize;
-            if is_first {
-                gradients = 63 + level(d2).unsigned_abs() as usize;
-            }
+            let gradients = signed.unsigned_abs() as usize + contexts;
             let turn = if last == 0 { 0 } else { 1 + usize::from((last < 0) != flip) };
             let known = line.get(x).map(|pixel| (pixel, alphabet.symbol(pixel)));
             let is_guess = known.is_some_and(|(_, symbol)| symbol == (guess, true));
