@@ -222,4 +222,6 @@ impl<P: Copy, B: AsRef<[u8]>, F: Fn(P) -> B> Line<P> for Sink<'_, P, F> {
 }
 
 #[cfg(test)]
+mod reference;
+#[cfg(test)]
 mod tests;
