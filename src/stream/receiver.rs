@@ -209,27 +209,21 @@ impl Policy {
             }
         };
         self.traffic.packets += 1;
-        let result = frame.accept(&packet);
-        if let Some(unknown) = frame.unknown() {
-            self.heard(now);
-            // At its first packet, some packets later, and whenever the sender is done.
-            if self.strays == 0 || matches!(packet, Packet::End { .. }) {
-                self.begin();
-                self.ask(unknown, Part::Header);
-            }
-            self.strays = (self.strays + 1) % STRAYS;
-        }
-        let event = match result {
+        let event = match frame.accept(&packet) {
+            // What this end has said itself, as an echo: nobody is there for that.
+            Ok(Event::Ignored) => return None,
             Ok(event) => event,
-            Err(ReceiveError::UnknownFrame) => return None,
+            Err(ReceiveError::UnknownFrame) => {
+                if let Some(unknown) = frame.unknown() {
+                    self.stray(unknown, matches!(packet, Packet::End { .. }), now);
+                }
+                return None;
+            }
             Err(error) => {
                 self.traffic.bad_packets += 1;
                 return Some(Event::Refused(error));
             }
         };
-        if event == Event::Ignored {
-            return None;
-        }
         self.heard(now);
         self.strays = 0;
         if let Event::Started { .. } = event {
@@ -248,10 +242,25 @@ impl Policy {
                 }
             }
             // The sender has done all that it was asked for: what is missing now was lost.
-            Event::Incomplete { .. } | Event::HashMismatch => self.ask_for_gaps(frame),
+            Event::Incomplete { .. } | Event::HashMismatch => {
+                self.answers.clear();
+                self.ask_for_gaps(frame);
+            }
             _ => {}
         }
         Some(event)
+    }
+
+    /// A packet of a frame without a header has come.
+    fn stray(&mut self, frame: u16, is_end: bool, now: u32) {
+        self.heard(now);
+        // At its first packet, some packets later, and whenever the sender is done. What is known of the
+        // current frame stays: these may be late packets of the one before it.
+        if self.strays == 0 || is_end {
+            self.answers.clear();
+            self.ask(frame, Part::Header);
+        }
+        self.strays = (self.strays + 1) % STRAYS;
     }
 
     /// The sender is there.
@@ -276,7 +285,6 @@ impl Policy {
 
     fn ask_for_gaps(&mut self, frame: &Assembler<'_>) {
         let Some(FrameHeader { frame: id, .. }) = frame.header() else { return };
-        self.answers.clear();
         for (y, count) in frame.gaps().take(ANSWERS) {
             self.ask(id, Part::Rows { y, count, limit: self.limit });
         }
@@ -309,12 +317,14 @@ impl Policy {
             self.step = self.step.saturating_mul(2).min(self.timing.ask.saturating_mul(8));
             self.next = quiet.saturating_add(self.step);
             self.answers.clear();
-            if unknown.is_some() {
-                self.ask(id, Part::Header);
-            } else if frame.missing().next().is_some() {
-                self.ask_for_gaps(frame);
-            } else {
-                self.ask(id, Part::End);
+            // Either may be the sender's frame now: it ignores what is not.
+            if let Some(unknown) = unknown {
+                self.ask(unknown, Part::Header);
+            }
+            match current {
+                Some(_) if frame.missing().next().is_some() => self.ask_for_gaps(frame),
+                Some(header) => self.ask(header.frame, Part::End),
+                None => {}
             }
         }
         None
