@@ -13,7 +13,6 @@
 //! | code rows short | [`Predictive`]: a quarter of the bytes of [`Plain`] |
 //! | send with the least memory and time | [`Plain`] |
 //! | send your own pixels | [`WirePixel`] |
-//! | test your own ends | [`faults`]: a line that loses and damages bytes |
 //!
 //! # Format
 //!
@@ -72,7 +71,9 @@ pub use assembler::{Assembler, Event, Memory, ReceiveError};
 #[cfg(feature = "async")]
 pub use clock::AsyncClock;
 pub use clock::{Clock, Looks};
-pub use codec::{Coding, Encoding, Plain, RowCoding, RowPayload};
+pub use codec::{
+    Coding, Encoding, Plain, Predictable, Predictive, PredictiveMono, RowCoding, RowPayload,
+};
 pub use crc::{FrameHash, RowHash};
 pub use decoder::Decoder;
 pub use error::{EncodeError, PacketError, UnpackError};

@@ -1,9 +1,10 @@
 //! Pixels as the coder sees them: numbers whose neighbours look alike.
 
 use crate::render::Gray8;
+use core::marker::PhantomData;
 
 /// What symbols a frame's pixels have.
-pub(crate) trait Alphabet {
+pub trait Alphabet {
     /// The pixels.
     type Pixel: Copy + PartialEq;
     /// A symbol as it is kept of the row above.
@@ -38,13 +39,13 @@ pub(crate) trait Alphabet {
     fn recalled(symbol: Self::Symbol) -> i32;
 }
 
-/// Grey levels: each is its own symbol.
+/// Grey levels: each is its own symbol, kept as a `T`.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Levels;
+pub struct Levels<T = u8>(pub(crate) PhantomData<T>);
 
-impl Alphabet for Levels {
+impl<T: Copy + From<u8> + Into<i32>> Alphabet for Levels<T> {
     type Pixel = Gray8;
-    type Symbol = u8;
+    type Symbol = T;
     type Bytes = [u8; 1];
     const ESCAPES: bool = false;
 
@@ -72,11 +73,11 @@ impl Alphabet for Levels {
         [pixel.0]
     }
 
-    fn kept(symbol: i32) -> u8 {
-        symbol as u8
+    fn kept(symbol: i32) -> T {
+        (symbol as u8).into()
     }
 
-    fn recalled(symbol: u8) -> i32 {
+    fn recalled(symbol: T) -> i32 {
         symbol.into()
     }
 }

@@ -18,17 +18,17 @@ pub(crate) const START: [u8; CONTEXTS] = {
 
 /// Codes a row of `width` pixels. `above` holds the row above, and then this one: 8 pixels a byte, the most
 /// significant bit leftmost, and zero bits behind the last pixel.
-pub(crate) fn code<C: Bins>(
+pub(crate) fn code<C: Bins, T: Copy + From<u8> + Into<u32>>(
     coder: &mut C,
-    above: &mut [u8],
+    above: &mut [T],
     width: usize,
     pixel: impl Fn(usize) -> bool,
 ) {
     let mut left = 0;
-    let mut upper = above.first().map_or(0, |first| u32::from(*first));
+    let mut upper = above.first().map_or(0, |first| (*first).into());
     for at in 0..above.len() {
         // Two bytes from the row above, that at this place and the next, and the end of the one before.
-        upper = upper << 8 | above.get(at + 1).map_or(0, |next| u32::from(*next));
+        upper = upper << 8 | above.get(at + 1).map_or(0, |next| (*next).into());
         let mut byte = 0;
         for (bit, x) in (0..8).rev().zip(8 * at..width) {
             // From NWW down to NEE, which is two pixels to the right.
@@ -38,7 +38,7 @@ pub(crate) fn code<C: Bins>(
             byte |= u8::from(is_set) << bit;
         }
         if let Some(kept) = above.get_mut(at) {
-            *kept = byte;
+            *kept = byte.into();
         }
     }
 }

@@ -7,19 +7,22 @@
 
 mod alphabet;
 mod bilevel;
+mod coding;
 mod model;
 mod palette;
 mod range;
 mod rows;
 mod start;
+mod unpack;
 
-pub(crate) use alphabet::{Alphabet, Levels};
-pub(crate) use model::Model;
-use model::SLOTS;
-pub(crate) use palette::{Channels, Palette};
+use crate::stream::pixel::{Wire, WirePixel};
+use alphabet::Alphabet;
+pub use coding::{Predictable, Predictive, PredictiveMono};
+use model::{Model, SLOTS};
 use range::{Decoder, Encoder, Interval};
 use rows::{Line, Start};
 use start::START;
+pub(in crate::stream) use unpack::unpack;
 
 /// A payload in the making: probabilities, and how far it is.
 struct Payload<const N: usize> {
@@ -48,7 +51,7 @@ pub(crate) struct RowsEncoder<P> {
     start: Option<Start<P>>,
 }
 
-impl<P: Copy + PartialEq> RowsEncoder<P> {
+impl<P: Wire> RowsEncoder<P> {
     /// At the start of a payload.
     pub(crate) const fn new() -> Self {
         Self { payload: Payload::starting(&START), start: None }
@@ -65,7 +68,7 @@ impl<P: Copy + PartialEq> RowsEncoder<P> {
         &mut self,
         alphabet: &mut A,
         above: &mut [A::Symbol],
-        row: &[P],
+        row: &[impl WirePixel<Wire = P>],
         out: &mut [u8],
     ) -> bool {
         let Some(above) = above.get_mut(..row.len()) else { return false };
@@ -119,19 +122,20 @@ impl BilevelEncoder {
 /// A row that is read.
 struct Source<'a, P>(&'a [P]);
 
-impl<P: Copy + PartialEq> Line<P> for Source<'_, P> {
+impl<P: WirePixel> Line<P::Wire> for Source<'_, P> {
     #[inline(always)]
-    fn get(&self, x: usize) -> Option<P> {
-        self.0.get(x).copied()
+    fn get(&self, x: usize) -> Option<P::Wire> {
+        self.0.get(x).map(|pixel| pixel.to_wire())
     }
 
     #[inline(always)]
-    fn holds(&self, from: usize, to: usize, pixel: P) -> bool {
-        self.0.get(from..to).unwrap_or_default().iter().all(|held| *held == pixel)
+    fn holds(&self, from: usize, to: usize, pixel: P::Wire) -> bool {
+        let pixels = self.0.get(from..to).unwrap_or_default();
+        pixels.iter().all(|held| held.to_wire() == pixel)
     }
 
     #[inline(always)]
-    fn fill(&mut self, _: usize, _: usize, _: P) {}
+    fn fill(&mut self, _: usize, _: usize, _: P::Wire) {}
 }
 
 /// Rows out of a payload. Any payload gives some rows.
@@ -174,7 +178,7 @@ impl<'a> BilevelDecoder<'a> {
     /// At the first row of a payload. The model is memory only, and so is what is `above`.
     pub(crate) fn new(
         model: &'a mut Model<{ bilevel::CONTEXTS }>,
-        above: &mut [u8],
+        above: &mut [u16],
         payload: &'a [u8],
     ) -> Self {
         *model = Model::starting(&bilevel::START);
@@ -182,8 +186,8 @@ impl<'a> BilevelDecoder<'a> {
         Self(Decoder::new(model, payload))
     }
 
-    /// Decodes the next row: `above` holds it then, as it is on the link.
-    pub(crate) fn row(&mut self, above: &mut [u8], width: usize) {
+    /// Decodes the next row: `above` holds its bytes then.
+    pub(crate) fn row(&mut self, above: &mut [u16], width: usize) {
         bilevel::code(&mut self.0, above, width, |_| false);
     }
 

@@ -5,10 +5,10 @@
 //! landscape of symbols, whatever its colour.
 
 use super::alphabet::Alphabet;
-use crate::render::{Pixel, Rgb, Rgb565};
+use crate::render::{Pixel, Rgb, Rgb565, Rgb888};
 
 /// A pixel made of three channels.
-pub(crate) trait Channels: Pixel + PartialEq {
+pub trait Channels: Pixel + PartialEq {
     /// Its bytes on the link.
     type Bytes: AsRef<[u8]>;
 
@@ -36,6 +36,22 @@ impl Channels for Rgb565 {
 
     fn bytes(self) -> [u8; 2] {
         self.0.to_le_bytes()
+    }
+}
+
+impl Channels for Rgb888 {
+    type Bytes = [u8; 3];
+
+    fn channels(self) -> [i32; 3] {
+        self.0.map(i32::from)
+    }
+
+    fn with_channels(channels: [i32; 3]) -> Self {
+        Self(channels.map(|channel| channel.clamp(0, u8::MAX.into()) as u8))
+    }
+
+    fn bytes(self) -> [u8; 3] {
+        self.0
     }
 }
 
@@ -103,7 +119,7 @@ const IS_NEAR: u16 = 0x8000;
 
 /// The symbols of all pixels that up to `N` base colours have.
 #[derive(Debug, Clone)]
-pub(crate) struct Palette<P, const N: usize> {
+pub struct Palette<P, const N: usize> {
     chains: [Chain; N],
     colors: usize,
     top: u16,
@@ -135,6 +151,12 @@ impl<P: Channels, const N: usize> Palette<P, N> {
             pixels: [black; CACHE],
             symbols: [0; CACHE],
         }
+    }
+
+    /// No chains, for constants: with this pixel for all.
+    pub(crate) const fn empty(pixel: P) -> Self {
+        let (chains, pixels) = ([Chain::EMPTY; N], [pixel; CACHE]);
+        Self { chains, colors: 0, top: 0, pixels, symbols: [0; CACHE] }
     }
 
     fn chains(&self) -> &[Chain] {

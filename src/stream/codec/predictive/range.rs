@@ -8,9 +8,6 @@ use super::model::{Model, SLOTS, Slot};
 
 /// Makes decisions one after the other: an encoder writes the ones that it is given, a decoder reads them.
 pub(crate) trait Bins {
-    /// Whether decisions come from the payload.
-    const DECODES: bool;
-
     /// A decision with an adaptive probability. An encoder returns `bit`; a decoder ignores it.
     fn bin(&mut self, slot: Slot, bit: bool) -> bool;
 
@@ -125,8 +122,6 @@ impl<'a, const N: usize> Encoder<'a, N> {
 }
 
 impl<const N: usize> Bins for Encoder<'_, N> {
-    const DECODES: bool = false;
-
     #[inline(never)]
     fn bin(&mut self, slot: Slot, bit: bool) -> bool {
         let probability = self.model.of(slot);
@@ -189,8 +184,6 @@ impl<'a, const N: usize> Decoder<'a, N> {
 }
 
 impl<const N: usize> Bins for Decoder<'_, N> {
-    const DECODES: bool = true;
-
     #[inline(never)]
     fn bin(&mut self, slot: Slot, _: bool) -> bool {
         let probability = self.model.of(slot);

@@ -4,8 +4,11 @@ use proptest::prelude::*;
 use std::vec;
 use std::vec::Vec;
 
+use super::alphabet::Levels;
+use super::palette::Palette;
 use super::*;
 use crate::render::{Gray8, Pixel, Rgb, Rgb565};
+use core::marker::PhantomData;
 
 /// A packet's payloads, each with its number of rows.
 type Payloads = Vec<(usize, Vec<u8>)>;
@@ -13,7 +16,7 @@ type Payloads = Vec<(usize, Vec<u8>)>;
 const MOST: usize = 243;
 
 /// All rows, in as few payloads as there can be. A row that fits in none is left out.
-fn encode<A: Alphabet>(
+fn encode<A: Alphabet<Pixel: WirePixel<Wire = A::Pixel> + Wire>>(
     alphabet: &mut A,
     width: usize,
     pixels: &[A::Pixel],
@@ -63,7 +66,10 @@ fn decode<A: Alphabet>(alphabet: &mut A, width: usize, payloads: &Payloads) -> (
     (pixels, is_exact)
 }
 
-fn round_trip<A: Alphabet + Clone>(alphabet: &A, width: usize, pixels: &[A::Pixel]) {
+fn round_trip<A>(alphabet: &A, width: usize, pixels: &[A::Pixel])
+where
+    A: Alphabet<Pixel: WirePixel<Wire = A::Pixel> + Wire> + Clone,
+{
     let (mut payloads, sent) = encode(&mut alphabet.clone(), width, pixels);
     let wanted: Vec<u8> = sent.iter().flat_map(|p| A::bytes(*p).as_ref().to_vec()).collect();
     let (decoded, is_exact) = decode(&mut alphabet.clone(), width, &payloads);
@@ -131,7 +137,7 @@ proptest! {
     #[test]
     fn gray((width, levels) in levels()) {
         let pixels: Vec<Gray8> = levels.into_iter().map(Gray8).collect();
-        round_trip(&Levels, width, &pixels);
+        round_trip(&Levels::<u8>(PhantomData), width, &pixels);
     }
 
     #[test]
@@ -181,9 +187,9 @@ proptest! {
             for row in sent {
                 decoder.row(&mut above, width);
                 let byte = |bits: &[bool]| {
-                    bits.iter().zip((0..8).rev()).map(|(bit, at)| u8::from(*bit) << at).sum()
+                    bits.iter().zip((0..8).rev()).map(|(bit, at)| u16::from(*bit) << at).sum()
                 };
-                let wanted: Vec<u8> = row.chunks(8).map(byte).collect();
+                let wanted: Vec<u16> = row.chunks(8).map(byte).collect();
                 prop_assert_eq!(&above, &wanted);
             }
             prop_assert!(decoder.is_exact());
@@ -193,7 +199,7 @@ proptest! {
     #[test]
     fn hostile(payload in proptest::collection::vec(any::<u8>(), 0..300), width in 1..400_usize) {
         let payloads = vec![(5, payload.clone())];
-        let (pixels, _) = decode(&mut Levels, width, &payloads);
+        let (pixels, _) = decode(&mut Levels::<u8>(PhantomData), width, &payloads);
         prop_assert_eq!(pixels.len(), width * 5);
         let mut palette = Palette::<Rgb565, 2>::new(&[Rgb::new(200, 30, 90), Rgb::new(0, 0, 0)]);
         let (pixels, _) = decode(&mut palette, width, &payloads);
