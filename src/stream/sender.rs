@@ -1,6 +1,6 @@
 //! The sending end, without I/O: rows in, packets out, requests in.
 
-use heapless::Deque;
+use heapless::Vec;
 
 use super::codec::{Coding, RowCoding};
 use super::crc::{FrameHash, RowHash};
@@ -139,7 +139,8 @@ struct State {
     /// The next row of the sweep; as many have been sent and hashed.
     next: u16,
     hash: FrameHash,
-    repairs: Deque<Repair, REPAIRS>,
+    /// The last one is served first.
+    repairs: Vec<Repair, REPAIRS>,
     header_due: bool,
     end_due: bool,
     /// The packet that waits to be written is the frame's end.
@@ -312,7 +313,7 @@ impl State {
             open: None,
             next: 0,
             hash: FrameHash::new(),
-            repairs: Deque::new(),
+            repairs: Vec::new(),
             header_due: false,
             end_due: false,
             is_end: false,
@@ -372,7 +373,7 @@ impl State {
             self.ready = encode_header(header, packet).unwrap_or_default();
             return Wanted::Packet;
         }
-        if let Some(repair) = self.repairs.front() {
+        if let Some(repair) = self.repairs.last() {
             return Wanted::Row(repair.next);
         }
         if self.next < header.height {
@@ -419,7 +420,7 @@ impl State {
     /// What row `y` is wanted for.
     fn target(&self, y: u16) -> Result<Target, EncodeError> {
         let header = self.header.ok_or(EncodeError::NoFrame)?;
-        let (wanted, is_repair, limit) = match self.repairs.front() {
+        let (wanted, is_repair, limit) = match self.repairs.last() {
             Some(repair) => (repair.next, true, repair.limit.clamp(MIN_LIMIT, self.limit)),
             None => (self.next, false, self.limit),
         };
@@ -436,10 +437,10 @@ impl State {
             self.hash.add(hash());
             self.next += 1;
             self.end_due = self.is_swept();
-        } else if let Some(repair) = self.repairs.front_mut() {
+        } else if let Some(repair) = self.repairs.last_mut() {
             repair.next += 1;
             if repair.next >= repair.end {
-                self.repairs.pop_front();
+                self.repairs.pop();
                 self.end_due = self.is_swept();
             }
         }
@@ -486,7 +487,7 @@ impl State {
                 let repair = Repair { next: y, end, limit };
                 if y < end && !self.repairs.iter().any(|other| other.end == end) {
                     // If there is no place, it is asked for once more.
-                    let _ = self.repairs.push_back(repair);
+                    let _ = self.repairs.push(repair);
                 }
             }
         }
