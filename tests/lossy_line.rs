@@ -63,6 +63,8 @@ struct Setup {
     rendering: u32,
     /// Ticks that a byte is under way, each way.
     latency: u32,
+    patience: Patience,
+    timing: Timing,
     there: Faults,
     back: Faults,
     seed: u64,
@@ -87,13 +89,12 @@ fn run<C: RowCoding<Gray8>, const BACK: usize>(coding: C, film: &Film, setup: Se
     let Setup { frames, speed, rendering, latency, .. } = setup;
     let mut there = Line::<65_536>::new(setup.there, setup.seed);
     let mut back = Line::<BACK>::new(setup.back, setup.seed + 1);
-    let mut sender = Sender::<C, CAPACITY>::new(coding, Patience { ticks: 10_000, silences: 60 });
+    let mut sender = Sender::<C, CAPACITY>::new(coding, setup.patience);
     let mut pixels = [0; WIDTH as usize * HEIGHT as usize];
     let mut rows = [false; HEIGHT as usize];
     let mut above = [0; WIDTH as usize + 2];
     let memory = Memory { pixels: &mut pixels, rows: &mut rows, above: &mut above };
-    let timing = Timing { ask: 1_000, give_up: 400_000 };
-    let mut receiver = Receiver::<CAPACITY>::new(memory, timing);
+    let mut receiver = Receiver::<CAPACITY>::new(memory, setup.timing);
 
     let (mut complete, mut wrong_rows, mut unheard, mut silent) = (vec![false; 65_536], 0, 0, 0);
     let (mut writing, mut answering) = (VecDeque::<u8>::new(), VecDeque::<u8>::new());
@@ -216,7 +217,10 @@ fn is_whole(name: &str, coding: &str, setup: Setup, outcome: &Outcome) {
 const BYTES: Faults = Faults { flipped: 0.001, ..Faults::NONE };
 
 fn both_ways(frames: u16, faults: Faults) -> Setup {
-    Setup { frames, speed: 1, rendering: 30, latency: 0, there: faults, back: faults, seed: 1 }
+    let patience = Patience { ticks: 10_000, silences: 60 };
+    let timing = Timing { ask: 1_000, give_up: 400_000 };
+    let (there, back) = (faults, faults);
+    Setup { frames, speed: 1, rendering: 30, latency: 0, patience, timing, there, back, seed: 1 }
 }
 
 #[test]
@@ -358,16 +362,22 @@ fn repair_does_not_wait() {
 #[test]
 fn nobody_answers() {
     let film = Film::new();
+    let impatient = Setup {
+        patience: Patience { ticks: 1_000, silences: 5 },
+        timing: Timing { ask: 1_000, give_up: 10_000 },
+        ..both_ways(3, Faults::NONE)
+    };
     for cut in [0, 5, 15] {
         let back = Faults { cut: Some(cut), ..BYTES };
-        let setup = Setup { back, there: BYTES, ..both_ways(3, Faults::NONE) };
+        let setup = Setup { back, there: BYTES, ..impatient };
         let outcome = run::<_, 64>(Plain, &film, setup);
         assert!(outcome.unheard > 0, "{cut}: {outcome:?}");
+        assert!(outcome.ticks < 3 * 15_000, "{cut}: {outcome:?}");
         assert_eq!(outcome.wrong_rows, 0);
     }
     // The line itself: the receiver notices too.
     let there = Faults { cut: Some(2_000), ..Faults::NONE };
-    let setup = Setup { there, ..both_ways(2, Faults::NONE) };
+    let setup = Setup { there, ..impatient };
     let outcome = run::<_, 64>(Plain, &film, setup);
-    assert_eq!((outcome.unheard, outcome.silent, outcome.complete), (2, 1, 0), "{outcome:?}");
+    assert_eq!((outcome.unheard, outcome.silent, outcome.complete), (3, 1, 0), "{outcome:?}");
 }

@@ -5,8 +5,8 @@
 use scancsg::render::{Gray8, Palette, Rgb, Rgb565};
 use scancsg::stream::{
     Decoder, Delivery, Event, FrameHeader, Memory, Packet, Part, Patience, PixelFormat, Plain,
-    ReceiveError, Receiver, Request, Sender, Task, Timing, encode_ack, encode_request,
-    packet_capacity,
+    Predictive, ReceiveError, Receiver, Request, Sender, Task, Timing, UnpackError, encode_ack,
+    encode_request, packet_capacity,
 };
 use testkit::link::Bytes;
 use testkit::random::Random;
@@ -104,7 +104,9 @@ fn ranges(parts: &[(u16, Part)], of: u16) -> Vec<(u16, u16)> {
         Part::Rows { y, count, .. } if *frame == of => Some((y, count)),
         _ => None,
     };
-    parts.iter().filter_map(range).collect()
+    let mut ranges: Vec<_> = parts.iter().filter_map(range).collect();
+    ranges.sort_unstable();
+    ranges
 }
 
 /// Late packets of the frame before, however many and of whatever kind but a header, change nothing of the
@@ -219,6 +221,47 @@ fn a_frame_that_is_too_large() {
     assert_eq!(answers(&mut receiver), (vec![], vec![]));
     let events = receive(&mut receiver, &packets(too_large)[..1].concat(), 1);
     assert_eq!(events, [Event::Refused(ReceiveError::TooLarge)]);
+}
+
+/// Rows that were coded together need memory. A receiver that lends none says so, and asks for nothing, so
+/// that the sender goes on; rows that were sent each for itself are taken in.
+#[test]
+fn no_memory_for_rows_that_are_coded_together() {
+    let mut receiver = receiver();
+    let predictive = Predictive::<Gray8, 80>::new();
+    let mut sender = Sender::<_, CAPACITY>::new(predictive, PATIENCE);
+    let no_memory = ReceiveError::Payload(UnpackError::NoMemory);
+    let mut now = 0;
+    for frame in 1..4 {
+        sender.begin(small(frame)).unwrap();
+        let mut events = Vec::new();
+        let delivery = loop {
+            now += 1;
+            assert!(now < 4 * 5000, "the frame has no end");
+            match sender.poll(now) {
+                Task::Send(packet) => {
+                    events.extend(receive(&mut receiver, &packet.to_vec(), now));
+                    sender.sent(now);
+                }
+                Task::Row(y) => sender.row(y, &gray_row(small(frame), y)).unwrap(),
+                Task::Listen(_) => {}
+                Task::Done(delivery) => break delivery,
+            }
+            receiver.poll(now);
+            while let Some(answer) = receiver.answer() {
+                answer.iter().for_each(|byte| sender.receive(*byte, now));
+            }
+        };
+        assert_eq!(delivery, Delivery::Unheard);
+        assert!(matches!(events[0], Event::Started { .. }));
+        assert_eq!(events[1], Event::Refused(no_memory));
+        assert!(matches!(events[2], Event::Incomplete { missing: 12 }));
+    }
+    let events = receive(&mut receiver, &packets(small(4))[..5].concat(), now);
+    assert_eq!(events.len(), 5);
+    let events = receive(&mut receiver, &packets(small(4))[6..].concat(), now);
+    assert_eq!(events.last(), Some(&Event::Incomplete { missing: 1 }));
+    assert_eq!(ranges(&answers(&mut receiver).0, 4), [(4, 1)]);
 }
 
 /// With all acknowledgements lost, every frame is complete once, and every repeated end is acknowledged.

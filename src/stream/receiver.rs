@@ -4,7 +4,7 @@ use heapless::Vec;
 
 use super::assembler::{Assembler, Event, Memory, ReceiveError};
 use super::decoder::Decoder;
-use super::error::PacketError;
+use super::error::{PacketError, UnpackError};
 use super::wire::{
     FrameHeader, Packet, Part, REQUEST_CAPACITY, Request, encode_ack, encode_request,
 };
@@ -111,6 +111,8 @@ struct Policy {
     /// The row behind the last one of the sweep that has come.
     expected: u16,
     has_ended: bool,
+    /// There is no memory for the frame's rows.
+    is_beyond: bool,
     limit: u8,
     /// When the last packet came.
     since: u32,
@@ -133,6 +135,7 @@ impl<'m, const N: usize> Receiver<'m, N> {
             answers: Vec::new(),
             expected: 0,
             has_ended: false,
+            is_beyond: false,
             limit: FIRST_LIMIT,
             since: 0,
             next: 0,
@@ -222,6 +225,7 @@ impl Policy {
             }
             Err(error) => {
                 self.traffic.bad_packets += 1;
+                self.is_beyond |= error == ReceiveError::Payload(UnpackError::NoMemory);
                 return Some(Event::Refused(error));
             }
         };
@@ -273,6 +277,7 @@ impl Policy {
     fn begin(&mut self) {
         self.answers.clear();
         (self.expected, self.has_ended, self.limit) = (0, false, FIRST_LIMIT);
+        self.is_beyond = false;
     }
 
     /// Rows have come: if they are not the next ones, those between are lost.
@@ -296,6 +301,10 @@ impl Policy {
     }
 
     fn ask(&mut self, frame: u16, part: Part) {
+        // To ask for rows that can't be taken in would never end.
+        if self.is_beyond && part != Part::Header {
+            return;
+        }
         self.put(Answer::Request(Request { frame, part }));
         self.traffic.requests += 1;
     }

@@ -246,7 +246,8 @@ impl<C: Coding, const N: usize> Sender<C, N> {
     /// # Errors
     ///
     /// [`EncodeError::NoFrame`], [`EncodeError::Format`], [`EncodeError::Width`] or
-    /// [`EncodeError::Order`] if this is not the row that is wanted.
+    /// [`EncodeError::Order`] if this is not the row that is wanted: one that has been asked for since
+    /// [`poll`](Self::poll) may be wanted before it. Nothing has changed then: poll again.
     pub fn row<P: WirePixel>(&mut self, y: u16, pixels: &[P]) -> Result<(), EncodeError>
     where
         C: RowCoding<P>,
