@@ -147,6 +147,10 @@ struct State {
     is_end: bool,
     /// When the end was sent.
     since: u32,
+    /// The first answer to a frame's first end shows what the other end takes. Those behind it came with
+    /// it, or answer an earlier end.
+    is_timed: bool,
+    has_ended: bool,
     /// Ticks without an answer before that.
     silent: u64,
     tries: u8,
@@ -242,7 +246,8 @@ impl<C: Coding, const N: usize> Sender<C, N> {
     /// # Errors
     ///
     /// [`EncodeError::NoFrame`], [`EncodeError::Format`], [`EncodeError::Width`] or
-    /// [`EncodeError::Order`] if this is not the row that is wanted.
+    /// [`EncodeError::Order`] if this is not the row that is wanted: one that has been asked for since
+    /// [`poll`](Self::poll) may be wanted before it. Nothing has changed then: poll again.
     pub fn row<P: WirePixel>(&mut self, y: u16, pixels: &[P]) -> Result<(), EncodeError>
     where
         C: RowCoding<P>,
@@ -314,6 +319,8 @@ impl State {
             end_due: false,
             is_end: false,
             since: 0,
+            is_timed: false,
+            has_ended: false,
             silent: 0,
             tries: 0,
             round_trip: None,
@@ -406,6 +413,7 @@ impl State {
         self.ready = 0;
         if core::mem::take(&mut self.is_end) {
             self.since = now;
+            self.is_timed = !core::mem::replace(&mut self.has_ended, true);
             if self.patience.silences == 0 {
                 self.delivery = Some(Delivery::Unheard);
             }
@@ -445,10 +453,11 @@ impl State {
     /// The other end is there.
     fn heard(&mut self, now: u32) {
         if self.is_swept() && !self.end_due {
-            if self.tries == 0 {
+            if core::mem::take(&mut self.is_timed) {
                 let ticks = now.wrapping_sub(self.since);
+                // Waiting too long costs little; a request from before the end must not make it short.
                 let before = self.round_trip.unwrap_or(ticks);
-                self.round_trip = Some(before.midpoint(ticks));
+                self.round_trip = Some(ticks.max(before.midpoint(ticks)));
             }
             self.since = now;
         }
