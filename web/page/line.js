@@ -12,7 +12,7 @@ class Line {
   }
 
   constructor(wasm, write) {
-    Object.assign(this, { wasm, write, recording: [] });
+    Object.assign(this, { wasm, write });
   }
 
   /** Takes in bytes that the line brought, and yields the news. */
@@ -20,7 +20,7 @@ class Line {
     const size = 1 << 16;
     for (let start = 0; start < bytes.length; start += size) {
       const part = bytes.subarray(start, start + size);
-      new Uint8Array(this.wasm.memory.buffer, this.wasm.input(part.length), part.length).set(part);
+      memory(this.wasm, this.wasm.input(part.length), part.length).set(part);
       for (let news = -1; news; ) {
         news = this.wasm.receive(now());
         this.reply();
@@ -38,7 +38,7 @@ class Line {
 
   reply() {
     for (let length; (length = this.wasm.answer()); ) {
-      this.write(new Uint8Array(this.wasm.memory.buffer, this.wasm.answer_at(), length).slice());
+      this.write(memory(this.wasm, this.wasm.answer_at(), length).slice());
     }
   }
 
@@ -53,10 +53,19 @@ class Line {
   get image() {
     const { width, height } = this.figures;
     if (!width) return null;
-    const { buffer } = this.wasm.memory;
-    return new ImageData(new Uint8ClampedArray(buffer, this.wasm.received(), 4 * width * height), width, height);
+    return pixels(this.wasm, this.wasm.received(), width, height);
   }
 }
+
+/** A module's memory, until the module is called again: that may move it. */
+const memory = (wasm, at, length) => new Uint8Array(wasm.memory.buffer, at, length);
+
+/** A text in a module's memory. */
+const text = (wasm, length) => new TextDecoder().decode(memory(wasm, wasm.text_at(), length));
+
+/** Pixels in a module's memory, for as long. */
+const pixels = (wasm, at, width, height) =>
+  new ImageData(new Uint8ClampedArray(wasm.memory.buffer, at, 4 * width * height), width, height);
 
 /** Milliseconds that wrap around. */
 const now = () => Math.trunc(performance.now()) >>> 0;

@@ -68,11 +68,6 @@ class Gallery {
     canvas.ariaBusy = "false";
   }
 
-  text() {
-    const { wasm } = this;
-    return new TextDecoder().decode(new Uint8Array(wasm.memory.buffer, wasm.text_at(), wasm.text()));
-  }
-
   async draw() {
     const drawing = ++this.drawing;
     canvas.ariaBusy = "true";
@@ -90,9 +85,8 @@ class Gallery {
       const begun = performance.now();
       const at = this.wasm.draw(choice("scene"), choice("number"), choice("camera"), choice("format"),
         choice("smooth"), is("turn") / 72, width, height, y, count);
-      if (!at) return say(`This can't be drawn: ${this.text()}`);
-      const pixels = new Uint8ClampedArray(this.wasm.memory.buffer, at, 4 * width * count);
-      context.putImageData(new ImageData(pixels, width, count), 0, y);
+      if (!at) return say(`This can't be drawn: ${text(this.wasm, this.wasm.text())}`);
+      context.putImageData(pixels(this.wasm, at, width, count), 0, y);
       const end = performance.now();
       busy += end - begun;
       if (end - begun < SLICE / 3) band *= 2;
@@ -377,12 +371,11 @@ function savePicture() {
 }
 
 async function start() {
-  const text = $("module").textContent;
-  module = await WebAssembly.compile(Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)));
+  const bytes = atob($("module").textContent);
+  module = await WebAssembly.compile(Uint8Array.from(bytes, (byte) => byte.charCodeAt(0)));
   galleryModule = (await WebAssembly.instantiate(module, {})).exports;
-  const length = galleryModule.scenes();
-  const names = new TextDecoder().decode(new Uint8Array(galleryModule.memory.buffer, galleryModule.text_at(), length));
-  $("scene").append(...names.split("\n").map((line, index) => {
+  const scenes = text(galleryModule, galleryModule.scenes());
+  $("scene").append(...scenes.split("\n").map((line, index) => {
     const [name, about] = line.split("\t");
     const option = new Option(name, index);
     option.title = about;
