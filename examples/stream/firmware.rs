@@ -13,11 +13,13 @@ use number::Number;
 use scancsg::render::{
     CameraError, Gray8, Lambert, Picture, RowError, ShadeError, Size, SizeError,
 };
-use scancsg::stream::{Delivery, Patience, PixelFormat, SendError, Sender, packet_capacity, serve};
+use scancsg::stream::{
+    Delivery, Looks, Patience, PixelFormat, Plain, Sender, ServeError, row_capacity, serve,
+};
 
 const WIDTH: u16 = 160;
 const HEIGHT: u16 = 120;
-const PACKET: usize = packet_capacity(WIDTH, PixelFormat::Gray8);
+const PACKET: usize = row_capacity(WIDTH, PixelFormat::Gray8);
 /// How often a frame is sent to somebody who doesn't read it or doesn't answer. An emulated board's
 /// seconds can be short, and its host busy.
 const FRAMES: u16 = 12;
@@ -36,7 +38,7 @@ mod number {
 static TEE: Tee<Number> = Number::TEE;
 
 /// Some ten to thirty instructions a look: about three seconds on these boards.
-const PATIENCE: Patience = Patience { looks: 500_000, silences: 3 };
+const PATIENCE: Patience = Patience { ticks: 500_000, silences: 3 };
 
 /// Why the picture was not delivered.
 #[derive(Clone, Copy)]
@@ -53,10 +55,10 @@ enum Failure {
 }
 
 impl Failure {
-    fn from<E: Error>(error: &SendError<E>) -> Self {
+    fn from<E: Error>(error: &ServeError<E>) -> Self {
         match error {
-            SendError::Render(error) => Self::Row(*error),
-            SendError::Io(error) | SendError::Listen(error) => Self::Line(error.kind()),
+            ServeError::Render(error) => Self::Row(*error),
+            ServeError::Write(error) | ServeError::Read(error) => Self::Line(error.kind()),
             _ => Self::Sender(error.as_str()),
         }
     }
@@ -77,11 +79,12 @@ fn send(line: &mut (impl Read + ReadReady + Write)) -> Result<(), Failure> {
     let size = Size::new(WIDTH, HEIGHT).map_err(Failure::Size)?;
     let mut picture = Picture::new(&TEE, &camera, size, light, Gray8(0));
     let mut pixels = [Gray8(0); WIDTH as usize];
-    let mut sender = Sender::<_, PACKET>::new(line);
+    let mut sender = Sender::<_, PACKET>::new(Plain, PATIENCE);
     let mut outcome = Err(Failure::Unheard);
     for frame in 0..FRAMES {
         let before = sender.bytes_sent();
-        let delivery = serve(&mut picture, frame, &mut sender, &mut pixels, PATIENCE);
+        let delivery =
+            serve(&mut picture, frame, &mut sender, line, &mut pixels, &mut Looks::new());
         let bytes = sender.bytes_sent().wrapping_sub(before);
         let failure = match delivery {
             Ok(Delivery::Acknowledged { repairs }) => {

@@ -20,6 +20,8 @@ mod gallery;
 #[path = "../host/mod.rs"]
 mod host;
 #[cfg(not(target_os = "none"))]
+mod line;
+#[cfg(not(target_os = "none"))]
 mod loopback;
 #[path = "../scene/mod.rs"]
 mod scene;

@@ -6,10 +6,12 @@
 #[path = "../scene/mod.rs"]
 mod scene;
 
-use scancsg::render::{Gray8, Lambert, Picture, Size, SmoothColumn, SmoothPicture, Smoothing};
+use scancsg::render::{
+    Gray8, Lambert, Palette, Picture, Size, SmoothColumn, SmoothPicture, Smoothing,
+};
 use scancsg::stream::{
-    CONTROL_CAPACITY, Decoder, FrameHeader, PixelFormat, Receiver, Sender, encode_ack,
-    packet_capacity,
+    Assembler, CONTROL_CAPACITY, Decoder, FrameHash, FrameHeader, Memory, PixelFormat, RowHash,
+    encode_ack, encode_end, encode_header, encode_row, packet_capacity,
 };
 use serialport::SerialPort;
 use std::io::{Read, Write};
@@ -212,29 +214,42 @@ fn help_names_every_option() {
     }
 }
 
+/// A Gray8 frame's packets, as a sender without a way back sends them.
+fn frame(id: u16, width: u16, pixels: &[Gray8]) -> Vec<u8> {
+    let rows = pixels.chunks_exact(width.into());
+    let (height, format) = (rows.len() as u16, PixelFormat::Gray8);
+    let mut packet = [0; packet_capacity(320, PixelFormat::Gray8)];
+    let mut bytes = Vec::new();
+    let mut put = |packet: &[u8]| bytes.extend_from_slice(packet);
+    let header = FrameHeader { frame: id, width, height, format, palette: Palette::EMPTY };
+    let length = encode_header(header, &mut packet).unwrap();
+    put(&packet[..length]);
+    let mut hash = FrameHash::new();
+    for (y, row) in (0..).zip(rows) {
+        let length = encode_row(id, y, row, &mut packet).unwrap();
+        put(&packet[..length]);
+        hash.add(RowHash::of(y, row));
+    }
+    let length = encode_end(id, hash, &mut packet).unwrap();
+    put(&packet[..length]);
+    bytes
+}
+
 #[test]
 fn view_receives_from_a_serial_device() {
-    const CAPACITY: usize = packet_capacity(48, PixelFormat::Gray8);
     let (mut near, far) = serialport::TTYPort::pair().unwrap();
     let device = far.name().unwrap();
     drop(far);
     let out = scratch("view.png");
     let mut view = example("view")
-        .args(["--port", &device, "--out", out.to_str().unwrap(), "--wait", "20"])
+        .args(["--port", &device, "--out", out.to_str().unwrap(), "--frames", "1"])
         .stderr(Stdio::piped())
         .stdout(Stdio::piped())
         .spawn()
         .unwrap();
 
     let pixels = rendered(48, 36);
-    let mut bytes = Vec::new();
-    let mut sender = Sender::<_, CAPACITY>::new(&mut bytes);
-    let (width, height) = (48, 36);
-    sender.begin(FrameHeader { frame: 7, width, height, format: PixelFormat::Gray8 }).unwrap();
-    for (y, row) in (0..).zip(pixels.chunks_exact(48)) {
-        sender.row(y, row).unwrap();
-    }
-    sender.end().unwrap();
+    let bytes = frame(7, 48, &pixels);
     // Until the other program opens the device, the line is down, and when it does, it may find
     // itself in the middle of a frame: send until it has had enough and ends.
     let pause = std::time::Duration::from_millis(200);
@@ -268,7 +283,8 @@ fn stream_sends_to_a_serial_device() {
         .unwrap();
 
     let (mut pixels, mut rows) = ([0; 48 * 36], [false; 36]);
-    let mut receiver = Receiver::new(&mut pixels, &mut rows);
+    let memory = Memory { pixels: &mut pixels, rows: &mut rows, above: &mut [] };
+    let mut receiver = Assembler::new(memory);
     let mut decoder = Decoder::<CAPACITY>::new();
     let mut buffer = [0; 512];
     while !receiver.is_complete() && stream.try_wait().unwrap().is_none() {

@@ -46,24 +46,20 @@
 
 mod combine;
 mod compound;
-mod describe;
 mod operators;
 mod pipe;
-mod primitive;
-mod query;
 mod wrap;
 
+pub use crate::primitive::{
+    Cone, ConeError, Cuboid, CuboidError, Cylinder, CylinderError, CylinderWall, HalfSpaceError,
+    Polyhedron, PolyhedronError, Slab, SlabError, Sphere, SphereError, Torus, TorusError, WallHit,
+};
 pub use crate::quadric::HalfSpace;
+pub use crate::query::{Hit, RayCast, Rgb, Seen, Solid, first_seen};
 pub use crate::scan::Scan;
 pub use crate::scan::bounds::Bounds;
 pub use crate::span::Shape;
 pub use combine::{Boolean, Difference, Intersection, Many, ManyError, Union};
 pub use compound::{Capsule, RoundedCuboid};
-pub use describe::{Rgb, Solid};
 pub use pipe::{Pipe, PipeError};
-pub use primitive::{
-    Cone, ConeError, Cuboid, CuboidError, Cylinder, CylinderError, CylinderWall, HalfSpaceError,
-    Polyhedron, PolyhedronError, Slab, SlabError, Sphere, SphereError, Torus, TorusError, WallHit,
-};
-pub use query::{Hit, RayCast, Seen, first_seen};
 pub use wrap::{ByLine, Painted, Placed, Scaled, Wrap};

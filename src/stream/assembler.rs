@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::codec::RowPayload;
+use super::codec::{RowPayload, unpack};
 use super::crc::{FrameHash, RowHash};
 use super::error::UnpackError;
 use super::wire::{FrameHeader, Packet};
@@ -262,8 +262,19 @@ impl<'a> Assembler<'a> {
         if (y..end).all(|y| self.is_here(y)) {
             return Ok(Event::Repeated);
         }
-        let _ = payload;
-        todo!()
+        let rows = usize::from(y)..usize::from(end);
+        let [from, to] = [rows.start, rows.end].map(|row| row.saturating_mul(header.row_bytes()));
+        let FrameHeader { format, palette, width, .. } = header;
+        let pixels = self.pixels.get_mut(from..to).ok_or(ReceiveError::TooLarge)?;
+        let here = self.rows.get(rows).ok_or(ReceiveError::TooLarge)?;
+        unpack(format, &palette, width, payload, pixels, here, self.above)
+            .map_err(ReceiveError::Payload)?;
+        for y in y..end {
+            if !self.is_here(y) {
+                self.row_came(&header, y);
+            }
+        }
+        Ok(self.rows_came(&header, y, count))
     }
 
     fn is_here(&self, y: u16) -> bool {

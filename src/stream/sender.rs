@@ -177,24 +177,6 @@ impl<C, const N: usize> Sender<C, N> {
         self.state.bytes_sent
     }
 
-    /// Begins a frame. One that was under way is abandoned.
-    ///
-    /// # Errors
-    ///
-    /// [`EncodeError::Size`] if the frame has no pixels; [`EncodeError::BufferTooSmall`] if `N` is less
-    /// than [`row_capacity`].
-    pub fn begin(&mut self, header: FrameHeader) -> Result<(), EncodeError> {
-        if header.is_empty() {
-            return Err(EncodeError::Size);
-        }
-        // Now, and not at the first row that happens not to be compressible.
-        if row_capacity(header.width, header.format) > N {
-            return Err(EncodeError::BufferTooSmall);
-        }
-        self.state.begin(header);
-        Ok(())
-    }
-
     /// Takes in a byte that the other end sent.
     pub fn receive(&mut self, byte: u8, now: u32) {
         // What can't be read is asked for again by the other end.
@@ -212,6 +194,25 @@ impl<C, const N: usize> Sender<C, N> {
 }
 
 impl<C: Coding, const N: usize> Sender<C, N> {
+    /// Begins a frame. One that was under way is abandoned.
+    ///
+    /// # Errors
+    ///
+    /// [`EncodeError::Size`] if the frame has no pixels; [`EncodeError::BufferTooSmall`] if `N` is less
+    /// than [`row_capacity`].
+    pub fn begin(&mut self, header: FrameHeader) -> Result<(), EncodeError> {
+        if header.is_empty() {
+            return Err(EncodeError::Size);
+        }
+        // Now, and not at the first row that happens not to be compressible.
+        if row_capacity(header.width, header.format) > N {
+            return Err(EncodeError::BufferTooSmall);
+        }
+        self.coding.begin_frame(&header.palette);
+        self.state.begin(header);
+        Ok(())
+    }
+
     /// What to do next.
     pub fn poll(&mut self, now: u32) -> Task<'_> {
         if self.state.ready == 0 && self.state.is_packet_full() {
@@ -253,7 +254,7 @@ impl<C: Coding, const N: usize> Sender<C, N> {
             return Err(EncodeError::Width);
         }
         if self.state.open.is_none() {
-            self.coding.begin(&header.palette);
+            self.coding.begin();
         }
         let open = self.state.open.unwrap_or(Open { y, count: 0, is_repair });
         let payload = rows_payload(&mut self.packet, limit.into());

@@ -1,53 +1,14 @@
 //! The loop of firmware: render, send, listen, and render again what was lost.
 
-use core::fmt;
-
 use embedded_io::{Read, ReadReady, Write};
 
+use super::clock::Clock;
 use super::codec::RowCoding;
-use super::error::EncodeError;
 use super::pixel::{Wire, WirePixel};
 use super::sender::{Delivery, Sender, Task};
+use super::serve_error::ServeError;
 use super::wire::FrameHeader;
-use crate::render::{Palette, RowError, RowSource};
-
-/// What counts the ticks of [`serve`], and passes the time.
-///
-/// [`Looks`] needs no timer. Implement it for your timer to count milliseconds, or to sleep.
-pub trait Clock {
-    /// The ticks so far; they wrap around.
-    fn now(&mut self) -> u32;
-
-    /// There is nothing to do for so many ticks, unless the other end says something: waits for that long
-    /// or less.
-    fn idle(&mut self, ticks: u32);
-}
-
-/// A [`Clock`] that counts looks at the line that found nothing.
-///
-/// On a microcontroller whose [`read_ready`](ReadReady::read_ready) asks a register, some ten to thirty
-/// instructions pass from look to look: 500,000 looks are about a second at 16 MHz.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Looks(u32);
-
-impl Looks {
-    /// No looks so far.
-    #[must_use]
-    pub const fn new() -> Self {
-        Self(0)
-    }
-}
-
-impl Clock for Looks {
-    fn now(&mut self) -> u32 {
-        self.0
-    }
-
-    fn idle(&mut self, _: u32) {
-        self.0 = self.0.wrapping_add(1);
-    }
-}
+use crate::render::{Palette, RowSource};
 
 /// Sends one frame, and then renders again whatever was lost on the way, until the other end has all of
 /// it.
@@ -129,7 +90,12 @@ where
     let mut rendered = None;
     let mut is_flushed = true;
     loop {
-        while line.read_ready().map_err(ServeError::Read)? {
+        let mut is_quiet = false;
+        for _ in 0..READS {
+            is_quiet = !line.read_ready().map_err(ServeError::Read)?;
+            if is_quiet {
+                break;
+            }
             let mut bytes = [0; 16];
             let count = line.read(&mut bytes).map_err(ServeError::Read)?;
             if count == 0 {
@@ -150,7 +116,7 @@ where
                 }
                 sender.row(y, pixels).map_err(ServeError::Encode)?;
             }
-            Task::Listen(ticks) if is_flushed => clock.idle(ticks),
+            Task::Listen(ticks) if is_flushed => clock.idle(if is_quiet { ticks } else { 0 }),
             // The other end can't answer what still waits in a buffer.
             Task::Listen(_) => {
                 line.flush().map_err(ServeError::Write)?;
@@ -164,6 +130,9 @@ where
     }
 }
 
+/// So often the line is read before the next packet: noise without end must not hold a frame.
+pub(super) const READS: u8 = 8;
+
 /// The header of a source's frame.
 pub(super) fn header_of<S>(source: &S, frame: u16) -> FrameHeader
 where
@@ -173,53 +142,4 @@ where
     let format = <S::Pixel as WirePixel>::Wire::FORMAT;
     let palette = if format.has_colors() { source.palette() } else { Palette::EMPTY };
     FrameHeader { frame, width: size.width(), height: size.height(), format, palette }
-}
-
-/// Why [`serve`] could not deliver a frame.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum ServeError<E> {
-    /// The row can't be rendered.
-    Render(RowError),
-    /// The packet can't be made.
-    Encode(EncodeError),
-    /// Writing to the line failed.
-    Write(E),
-    /// Reading answers from the line failed.
-    Read(E),
-    /// No more answers can come: the line's other end is closed.
-    Closed,
-}
-
-impl<E> ServeError<E> {
-    /// The error in words. Of a line's own error only that there is one:
-    /// [`source`](core::error::Error::source) has the rest.
-    #[must_use]
-    pub const fn as_str(&self) -> &'static str {
-        match self {
-            Self::Render(error) => error.as_str(),
-            Self::Encode(error) => error.as_str(),
-            Self::Write(_) => "writing to the line failed",
-            Self::Read(_) => "reading from the line failed",
-            Self::Closed => "line is closed at its other end",
-        }
-    }
-}
-
-impl<E> fmt::Display for ServeError<E> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.as_str())
-    }
-}
-
-impl<E: core::error::Error + 'static> core::error::Error for ServeError<E> {
-    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
-        match self {
-            Self::Write(error) | Self::Read(error) => Some(error),
-            Self::Render(error) => Some(error),
-            Self::Encode(error) => Some(error),
-            Self::Closed => None,
-        }
-    }
 }

@@ -7,8 +7,19 @@ use std::path::Path;
 
 /// The folders of `src/`, the lowest first. What isn't here (`error.rs`, say) is beside them: all may
 /// import it, and it imports none of them.
-const LAYERS: [&str; 11] = [
-    "numeric", "scalar", "span", "geom", "quadric", "spline", "scan", "solid", "inspect", "render",
+const LAYERS: [&str; 13] = [
+    "numeric",
+    "scalar",
+    "span",
+    "geom",
+    "quadric",
+    "spline",
+    "scan",
+    "query",
+    "primitive",
+    "solid",
+    "inspect",
+    "render",
     "stream",
 ];
 

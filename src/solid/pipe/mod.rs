@@ -3,8 +3,8 @@
 mod lay;
 
 use super::combine::{Intersection, Many, Union};
-use super::primitive::{Cylinder, Slab, Sphere};
 use super::wrap::Wrap;
+use crate::primitive::{Cylinder, Slab, Sphere};
 use crate::scalar::Scalar;
 
 /// What fills the gap on the outside of a bend: the part of a ball beyond the end of one cylinder

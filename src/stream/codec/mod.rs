@@ -1,11 +1,16 @@
 //! How a row's pixels are written down: one file for each encoding, and the choice between them.
 
+mod coding;
 mod packbits;
+mod predictive;
 mod raw;
+
+pub use coding::{Coding, Plain, RowCoding};
+pub(super) use predictive::unpack;
+pub use predictive::{Predictable, Predictive, PredictiveMono};
 
 use super::error::UnpackError;
 use super::pixel::{PixelFormat, Units, WirePixel};
-use crate::render::Palette;
 
 /// How a row's pixels are written down.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -64,42 +69,6 @@ impl Encoding {
             Self::Raw => Ok(Some((core::mem::take(bytes), 1)).filter(|(run, _)| !run.is_empty())),
             Self::PackBits => packbits::take_run(bytes, format),
         }
-    }
-}
-
-/// How a sender codes rows: [`Plain`] or [`Predictive`](super::Predictive).
-pub trait Coding {
-    /// Begins a packet of rows of a frame whose surfaces have these colours.
-    fn begin(&mut self, palette: &Palette);
-
-    /// Ends the packet: the size of its payload, whose beginning is in `payload` already.
-    fn finish(&mut self, payload: &mut [u8]) -> usize;
-}
-
-/// A [`Coding`] that can code rows of these pixels.
-pub trait RowCoding<P>: Coding {
-    /// Adds a row to the packet, if it fits into `payload` behind the rows before it.
-    fn push(&mut self, pixels: &[P], payload: &mut [u8]) -> bool;
-}
-
-/// Each row is coded for itself, as it is or in runs, and has a packet of its own.
-///
-/// It needs the least memory, flash and time, and the most bytes on the line.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Plain;
-
-impl Coding for Plain {
-    fn begin(&mut self, _: &Palette) {}
-
-    fn finish(&mut self, _: &mut [u8]) -> usize {
-        0
-    }
-}
-
-impl<P: WirePixel> RowCoding<P> for Plain {
-    fn push(&mut self, _: &[P], _: &mut [u8]) -> bool {
-        false
     }
 }
 

@@ -1,0 +1,145 @@
+//! The box along parallel rays.
+//!
+//! Each pair of faces is crossed at parameters that are affine in the column. So is the distance of any
+//! two faces of different pairs along the ray, which gives the exact silhouette.
+
+use super::Cuboid;
+use crate::geom::{Axis, Extent, OrthographicRays};
+use crate::quadric::Corners;
+use crate::query::Solid;
+use crate::scalar::Scalar;
+use crate::scan::bounds::{Outline, Rectangle, Silhouette, Steps};
+use crate::scan::planes::{Ends, OrthographicRow as PairRow, OrthographicView as PairView};
+use crate::scan::{Empty, Leaf};
+use crate::span::{Crossing, Face, Span};
+
+impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {
+    type View = OrthographicView<S>;
+    type Row = OrthographicRow<S>;
+    type Spans = [Span<S>; 1];
+
+    fn view(&self, rays: &OrthographicRays<S>) -> Self::View {
+        let outline = rays.outline(&self.bounds());
+        let pairs = Axis::ALL.map(|axis| self.corners.planes(axis).orthographic_view(rays));
+        let near = Axis::ALL.map(|axis| {
+            let is_high = pairs[axis as usize].high_first();
+            Corners::<S>::first_face(axis).offset(u16::from(is_high))
+        });
+        OrthographicView { pairs, near, outline }
+    }
+
+    #[inline]
+    fn is_in_rows(&self, view: &Self::View, rows: [i32; 2]) -> bool {
+        view.outline.is_in_rows(rows)
+    }
+
+    #[inline(never)]
+    fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
+        let pairs = Axis::ALL.map(|axis| {
+            let view = &view.pairs[axis as usize];
+            self.corners.planes(axis).orthographic_row(view, y, columns)
+        });
+        let mut steps = Steps::ALL;
+        for (index, axis) in Axis::ALL.into_iter().enumerate() {
+            match &pairs[index] {
+                PairRow::EdgeOn(row) => {
+                    steps = steps.overlap(self.corners.planes(axis).edge_on_steps(row));
+                }
+                PairRow::Across(ends) => {
+                    for (other, its_view) in pairs.iter().zip(&view.pairs).skip(index + 1) {
+                        if let PairRow::Across(other) = other {
+                            let view = &view.pairs[index];
+                            steps =
+                                steps.overlap(ends.common_steps(view, other, its_view, columns));
+                        }
+                    }
+                }
+                PairRow::Nowhere => {}
+            }
+        }
+        *row = match pairs {
+            [PairRow::Across(x), PairRow::Across(y), PairRow::Across(z)] => {
+                OrthographicRow::Across([x, y, z])
+            }
+            pairs => OrthographicRow::EdgeOn(pairs),
+        };
+        steps.columns(columns).overlap(view.outline.extent(y, columns))
+    }
+
+    #[inline(always)]
+    fn spans(&self, view: &Self::View, row: &Self::Row, x: i32, [span]: &mut [Span<S>; 1]) {
+        match row {
+            OrthographicRow::Across(pairs) => {
+                let [first, second, third] = pairs;
+                let [one, two, three] = &view.pairs;
+                let [of_x, of_y, of_z] = [first.at(one, x), second.at(two, x), third.at(three, x)];
+                let later = |a: (S, Face), b: (S, Face)| if b.0 > a.0 { b } else { a };
+                let earlier = |a: (S, Face), b: (S, Face)| if b.0 < a.0 { b } else { a };
+                let [x, y, z] = view.near;
+                let enter = later(later((of_x[0], x), (of_y[0], y)), (of_z[0], z));
+                let [x, y, z] = view.near.map(|face| Face(face.0 ^ 1));
+                let exit = earlier(earlier((of_x[1], x), (of_y[1], y)), (of_z[1], z));
+                if enter.0 < exit.0 {
+                    span.enter = Crossing { t: enter.0, face: enter.1 };
+                    span.exit = Crossing { t: exit.0, face: exit.1 };
+                } else {
+                    *span = Span::NOWHERE;
+                }
+            }
+            OrthographicRow::EdgeOn(pairs) => {
+                *span = self.edge_on_span(view, pairs, x).unwrap_or(Span::NOWHERE);
+            }
+            OrthographicRow::Nowhere => *span = Span::NOWHERE,
+        }
+    }
+}
+
+impl<S: Scalar> Cuboid<S> {
+    /// Of a ray along some of the faces, or almost.
+    #[inline(never)]
+    fn edge_on_span(
+        &self,
+        view: &OrthographicView<S>,
+        pairs: &[PairRow<S>; 3],
+        x: i32,
+    ) -> Option<Span<S>> {
+        let mut common = Span::whole_line(Face(0));
+        for (index, axis) in Axis::ALL.into_iter().enumerate() {
+            let between = match &pairs[index] {
+                PairRow::Nowhere => None,
+                PairRow::Across(ends) => ends.span(&view.pairs[index], x),
+                PairRow::EdgeOn(row) => self.corners.planes(axis).edge_on_span(row, x),
+            };
+            common = common.overlap(between?.with_faces_from(Corners::<S>::first_face(axis)))?;
+        }
+        Some(common)
+    }
+}
+
+/// A box, seen along parallel rays.
+#[derive(Debug, Clone, Copy)]
+pub struct OrthographicView<S: Scalar> {
+    /// The faces across each axis, and which of them comes first.
+    pairs: [PairView<S>; 3],
+    near: [Face; 3],
+    outline: Option<Rectangle>,
+}
+
+impl<S: Scalar> Empty for OrthographicView<S> {
+    const EMPTY: Self = Self { pairs: [PairView::EMPTY; 3], near: [Face(0); 3], outline: None };
+}
+
+/// A row of a box, seen along parallel rays.
+#[derive(Debug, Clone, Copy)]
+pub enum OrthographicRow<S: Scalar> {
+    /// Not set yet.
+    Nowhere,
+    /// The rays cross all faces.
+    Across([Ends<S>; 3]),
+    /// The rays run along some of the faces, or almost.
+    EdgeOn([PairRow<S>; 3]),
+}
+
+impl<S: Scalar> Empty for OrthographicRow<S> {
+    const EMPTY: Self = Self::Nowhere;
+}

@@ -1,0 +1,85 @@
+//! Half-spaces and polyhedra, seen from an eye.
+
+use super::Polyhedron;
+use crate::geom::{Extent, PerspectiveRays};
+use crate::quadric::HalfSpace;
+use crate::query::Solid;
+use crate::scalar::Scalar;
+use crate::scan::Leaf;
+use crate::scan::bounds::{Outline, PerspectiveBall, Silhouette};
+use crate::scan::planes::{PerspectiveRow, PerspectiveView};
+use crate::span::{Face, Span};
+
+impl<S: Scalar> Leaf<PerspectiveRays<S>> for HalfSpace<S> {
+    type View = Option<PerspectiveView<S>>;
+    type Row = Option<PerspectiveRow<S>>;
+    type Spans = [Span<S>; 1];
+
+    fn view(&self, rays: &PerspectiveRays<S>) -> Self::View {
+        Some(PerspectiveView::new(&self.normal, rays))
+    }
+
+    fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
+        *row = view.as_ref().map(|view| PerspectiveRow::new(view, y));
+        Extent::all(columns)
+    }
+
+    #[inline]
+    fn spans(&self, _: &Self::View, row: &Self::Row, x: i32, [span]: &mut [Span<S>; 1]) {
+        *span = Span::whole_line(Face(0));
+        let is_inside = row.as_ref().is_some_and(|row| self.cut_perspective(row, x, Face(0), span));
+        if !is_inside {
+            *span = Span::NOWHERE;
+        }
+    }
+}
+
+impl<S: Scalar, const N: usize, F: AsRef<[HalfSpace<S>]>> Leaf<PerspectiveRays<S>>
+    for Polyhedron<S, N, F>
+{
+    type View = ([Option<PerspectiveView<S>>; N], Option<PerspectiveBall<S>>);
+    type Row = [Option<PerspectiveRow<S>>; N];
+    type Spans = [Span<S>; 1];
+
+    fn view(&self, rays: &PerspectiveRays<S>) -> Self::View {
+        let mut views = [None; N];
+        for (view, face) in views.iter_mut().zip(self.faces()) {
+            *view = Some(PerspectiveView::new(&face.normal, rays));
+        }
+        (views, rays.outline(&self.bounds()))
+    }
+
+    #[inline]
+    fn is_in_rows(&self, (_, outline): &Self::View, rows: [i32; 2]) -> bool {
+        outline.is_in_rows(rows)
+    }
+
+    fn row(
+        &self,
+        (views, outline): &Self::View,
+        y: i32,
+        columns: u32,
+        row: &mut Self::Row,
+    ) -> Extent {
+        for (row, view) in row.iter_mut().zip(views) {
+            *row = view.as_ref().map(|view| PerspectiveRow::new(view, y));
+        }
+        outline.extent(y, columns)
+    }
+
+    #[inline]
+    fn spans(&self, _: &Self::View, row: &Self::Row, x: i32, [span]: &mut [Span<S>; 1]) {
+        *span = Span::whole_line(Face(0));
+        for ((face, row), index) in self.faces().iter().zip(row).zip(0..) {
+            if let Some(row) = row
+                && !face.cut_perspective(row, x, Face(index), span)
+            {
+                *span = Span::NOWHERE;
+                return;
+            }
+        }
+        if span.enter.t >= span.exit.t {
+            *span = Span::NOWHERE;
+        }
+    }
+}
