@@ -16,6 +16,7 @@ mod paths;
 #[path = "../../examples/bench/points.rs"]
 mod points;
 mod profile;
+mod python;
 mod report;
 #[path = "../../examples/scene/mod.rs"]
 mod scene;
@@ -52,6 +53,9 @@ enum Chore {
 
     /// Build the page for browsers, `target/web/scancsg.html`
     Web(web::Web),
+
+    /// Install the Python package into `target/python`, and test it
+    Python,
 
     /// Check everything that must hold before a change lands, or one step of it
     Ci(ci::Ci),
@@ -94,6 +98,7 @@ fn main() -> ExitCode {
         Chore::Faults(chosen) => faults::check(chosen.boards(), chosen.number),
         Chore::Profile(chosen) => profile::show(&chosen),
         Chore::Web(chosen) => web::run(&chosen),
+        Chore::Python => python::check(),
         Chore::Ci(chosen) => ci::run(&chosen),
         Chore::Boot { board, elf, png } => boot::show(board, &elf, &png),
     };

@@ -10,7 +10,7 @@ use std::process::Command;
 pub struct Web {
     /// Test the page too, in Chromium without a window
     #[arg(long)]
-    test: bool,
+    pub test: bool,
 }
 
 /// Builds the page, and tests it if that is wanted.
@@ -72,7 +72,8 @@ fn test(page: &Path) -> Result<(), String> {
             .to_owned());
     }
     let mut test = Command::new("cargo");
-    test.args(["test", "--package", "scancsg-web", "--", "--include-ignored"])
+    test.args(["test", "--package", "scancsg-web", "--test", "view", "--test", "page"])
+        .args(["--", "--include-ignored"])
         .current_dir(root())
         .env("SCANCSG_PAGE", page);
     let status = test.status().map_err(|error| error.to_string())?;

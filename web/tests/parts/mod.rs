@@ -4,13 +4,12 @@
 
 use scancsg::geom::vec3;
 use scancsg::render::{
-    Gray8, Lambert, Mono, Orthographic, Palette, Picture, Rgb, Rgb565, Rgb888, RowSource,
-    Size,
+    Gray8, Lambert, Mono, Orthographic, Palette, Picture, Rgb, Rgb565, Rgb888, RowSource, Size,
 };
 use scancsg::solid::{Cylinder, Painted, Sphere};
 use scancsg::stream::{
-    Delivery, FrameHeader, Patience, PixelFormat, Plain, Sender, Task, Wire, WirePixel,
-    packet_capacity,
+    Delivery, FrameHeader, Patience, PixelFormat, Plain, Predictive, PredictiveMono, RowCoding, Sender,
+    Task, Wire, WirePixel, packet_capacity,
 };
 use std::time::{Duration, Instant};
 
@@ -21,40 +20,62 @@ const CAPACITY: usize = packet_capacity(SIZE[0], PixelFormat::Rgb888);
 /// A pixel whose colour on a canvas is known.
 pub trait Shown: WirePixel<Wire = Self> + Wire + 'static {
     const DARK: Self;
+    /// Its rows by prediction.
+    type Short: RowCoding<Self>;
     fn color(self) -> [u8; 3];
+    fn short() -> Self::Short;
 }
+
+const WIDTH: usize = SIZE[0] as usize;
 
 impl Shown for Gray8 {
     const DARK: Self = Self(0);
+    type Short = Predictive<Self, WIDTH>;
     fn color(self) -> [u8; 3] {
         [self.0; 3]
+    }
+    fn short() -> Self::Short {
+        Predictive::new()
     }
 }
 
 impl Shown for Rgb565 {
     const DARK: Self = Self(0);
+    type Short = Predictive<Self, WIDTH>;
     fn color(self) -> [u8; 3] {
         let eight = |bits: u16, most: u16| (f32::from(bits) / f32::from(most) * 255.0).round() as u8;
         [eight(self.0 >> 11, 31), eight(self.0 >> 5 & 63, 63), eight(self.0 & 31, 31)]
+    }
+    fn short() -> Self::Short {
+        Predictive::new()
     }
 }
 
 impl Shown for Rgb888 {
     const DARK: Self = Self([0; 3]);
+    type Short = Predictive<Self, WIDTH>;
     fn color(self) -> [u8; 3] {
         self.0
+    }
+    fn short() -> Self::Short {
+        Predictive::new()
     }
 }
 
 impl Shown for Mono {
     const DARK: Self = Self(false);
+    type Short = PredictiveMono<{ WIDTH.div_ceil(8) }>;
     fn color(self) -> [u8; 3] {
         [if self.0 { 255 } else { 0 }; 3]
     }
+    fn short() -> Self::Short {
+        PredictiveMono::new()
+    }
 }
 
-/// The rows of a frame: a ball with a bore, from a little to the right in each frame.
-pub fn rows<P: Shown>(frame: u16) -> Vec<Vec<P>> {
+/// The rows of a frame, and the colours of what is seen: a ball with a bore, from a little to the right in
+/// each frame.
+pub fn rows<P: Shown>(frame: u16) -> (Vec<Vec<P>>, Palette) {
     let ball = Painted::new(Sphere::<f32>::new(vec3(0.0, 0.0, 0.0), 1.0).unwrap(), Rgb::new(230, 90, 60));
     let bore = Cylinder::<f32>::along_z(0.0, 0.0, 0.4, -2.0, 2.0).unwrap();
     let part = ball - Painted::new(bore, Rgb::new(80, 140, 230));
@@ -64,34 +85,49 @@ pub fn rows<P: Shown>(frame: u16) -> Vec<Vec<P>> {
     let size = Size::new(SIZE[0], SIZE[1]).unwrap();
     let mut picture = Picture::new(&part, &camera, size, light, P::DARK);
     let mut row = vec![P::DARK; SIZE[0].into()];
-    (0..SIZE[1])
-        .map(|y| {
-            picture.render(y, &mut row).unwrap();
-            row.clone()
-        })
-        .collect()
+    let rows = (0..SIZE[1]).map(|y| {
+        picture.render(y, &mut row).unwrap();
+        row.clone()
+    });
+    let rows = rows.collect();
+    (rows, picture.palette())
+}
+
+/// The colours of a frame's pixels.
+pub fn colors<P: Shown>(frame: u16) -> impl Iterator<Item = [u8; 3]> {
+    rows::<P>(frame).0.into_iter().flatten().map(Shown::color)
 }
 
 /// The frame on a canvas.
 pub fn canvas<P: Shown>(frame: u16) -> Vec<u8> {
-    let rows = rows::<P>(frame);
-    let pixels = rows.into_iter().flatten();
-    pixels.flat_map(|pixel| pixel.color().into_iter().chain([255])).collect()
+    colors::<P>(frame).flat_map(|color| color.into_iter().chain([255])).collect()
 }
 
-/// Sends a frame as a device would. `write` gets each packet; `listen` waits for that long, and returns
-/// what the other end has said.
+/// Sends a frame as a device would, odd ones by prediction. `write` gets each packet; `listen` waits for that
+/// long, and returns what the other end has said.
 pub fn send<P: Shown>(
     frame: u16,
     silences: u16,
+    write: impl FnMut(&[u8]),
+    listen: impl FnMut(Duration) -> Vec<u8>,
+) -> Delivery {
+    let patience = Patience { ticks: 300, silences };
+    if frame % 2 == 1 {
+        send_with(Sender::new(P::short(), patience), frame, write, listen)
+    } else {
+        send_with::<P, _>(Sender::new(Plain, patience), frame, write, listen)
+    }
+}
+
+fn send_with<P: Shown, C: RowCoding<P>>(
+    mut sender: Sender<C, CAPACITY>,
+    frame: u16,
     mut write: impl FnMut(&[u8]),
     mut listen: impl FnMut(Duration) -> Vec<u8>,
 ) -> Delivery {
-    let rows = rows::<P>(frame);
-    let mut sender = Sender::<_, CAPACITY>::new(Plain, Patience { ticks: 300, silences });
+    let (rows, palette) = rows::<P>(frame);
     let [width, height] = SIZE;
-    let (format, palette) = (P::FORMAT, Palette::EMPTY);
-    sender.begin(FrameHeader { frame, width, height, format, palette }).unwrap();
+    sender.begin(FrameHeader { frame, width, height, format: P::FORMAT, palette }).unwrap();
     let start = Instant::now();
     let now = || start.elapsed().as_millis() as u32;
     loop {
@@ -121,7 +157,7 @@ pub fn recording<P: Shown>(frames: std::ops::Range<u16>) -> Vec<u8> {
     line
 }
 
-/// Flips one bit in about every thousandth byte.
+/// Flips one bit in about every 512th byte.
 #[derive(Default)]
 pub struct Noise(u32);
 
@@ -132,7 +168,7 @@ impl Noise {
             .map(|byte| {
                 // Knuth, TAOCP 2, 3.3.4, of 32 bits.
                 self.0 = self.0.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-                if self.0 >> 22 == 0 { byte ^ 1 << (self.0 >> 10 & 7) } else { *byte }
+                if self.0 >> 23 == 0 { byte ^ 1 << (self.0 >> 10 & 7) } else { *byte }
             })
             .collect()
     }
