@@ -31,6 +31,7 @@ mod rows;
 mod start;
 
 use alphabet::{Alphabet, Levels};
+use core::marker::PhantomData;
 use corpus::{Pixels, Shown};
 use model::{Model, SLOTS, Slot};
 use palette::Palette;
@@ -61,8 +62,6 @@ struct Watched<'a> {
 }
 
 impl Bins for Watched<'_> {
-    const DECODES: bool = false;
-
     fn bin(&mut self, slot: Slot, bit: bool) -> bool {
         self.decisions.push((slot, bit));
         self.encoder.bin(slot, bit)
@@ -137,7 +136,9 @@ fn encode<A: Alphabet>(
 
 fn size(shown: &Shown, start: &[u8; SLOTS], seen: &mut Decisions) -> usize {
     match &shown.pixels {
-        Pixels::Gray(pixels) => ENDS + encode(Levels, shown.width, pixels, start, seen),
+        Pixels::Gray(pixels) => {
+            ENDS + encode(Levels::<u8>(PhantomData), shown.width, pixels, start, seen)
+        }
         Pixels::Color(pixels) => {
             let palette = Palette::<_, 4>::new(shown.colors);
             let colors = 3 * shown.colors.len();

@@ -14,12 +14,12 @@ use scancsg::render::{
     CameraError, Gray8, Lambert, Picture, RowError, ShadeError, Size, SizeError,
 };
 use scancsg::stream::{
-    Delivery, Looks, Patience, PixelFormat, Plain, Sender, ServeError, row_capacity, serve,
+    Delivery, Looks, Patience, PixelFormat, Predictive, Sender, ServeError, packet_capacity, serve,
 };
 
 const WIDTH: u16 = 160;
 const HEIGHT: u16 = 120;
-const PACKET: usize = row_capacity(WIDTH, PixelFormat::Gray8);
+const PACKET: usize = packet_capacity(WIDTH, PixelFormat::Gray8);
 /// How often a frame is sent to somebody who doesn't read it or doesn't answer. An emulated board's
 /// seconds can be short, and its host busy.
 const FRAMES: u16 = 12;
@@ -79,7 +79,8 @@ fn send(line: &mut (impl Read + ReadReady + Write)) -> Result<(), Failure> {
     let size = Size::new(WIDTH, HEIGHT).map_err(Failure::Size)?;
     let mut picture = Picture::new(&TEE, &camera, size, light, Gray8(0));
     let mut pixels = [Gray8(0); WIDTH as usize];
-    let mut sender = Sender::<_, PACKET>::new(Plain, PATIENCE);
+    let mut sender =
+        Sender::<_, PACKET>::new(Predictive::<Gray8, { WIDTH as usize }>::new(), PATIENCE);
     let mut outcome = Err(Failure::Unheard);
     for frame in 0..FRAMES {
         let before = sender.bytes_sent();

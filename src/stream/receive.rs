@@ -5,6 +5,7 @@ use embedded_io::{Read, ReadReady, Write};
 use super::assembler::Event;
 use super::clock::Clock;
 use super::receiver::Receiver;
+use super::serve::write;
 use super::serve_error::ServeError;
 
 /// Listens to the line until something has happened, and answers the sender: the receiving end of
@@ -38,7 +39,7 @@ where
         // Also while bytes come: they may be noise.
         let event = event.or_else(|| receiver.poll(clock.now()));
         while let Some(answer) = receiver.answer() {
-            line.write_all(answer).map_err(ServeError::Write)?;
+            write(line, answer)?;
             line.flush().map_err(ServeError::Write)?;
         }
         if let Some(event) = event {

@@ -1,6 +1,6 @@
 //! The receiving end, without I/O: bytes in, events and answers out.
 
-use heapless::Deque;
+use heapless::Vec;
 
 use super::assembler::{Assembler, Event, Memory, ReceiveError};
 use super::decoder::Decoder;
@@ -106,7 +106,8 @@ enum Answer {
 #[derive(Debug)]
 struct Policy {
     timing: Timing,
-    answers: Deque<Answer, ANSWERS>,
+    /// The last one is given first.
+    answers: Vec<Answer, ANSWERS>,
     /// The row behind the last one of the sweep that has come.
     expected: u16,
     has_ended: bool,
@@ -129,7 +130,7 @@ impl<'m, const N: usize> Receiver<'m, N> {
     pub const fn new(memory: Memory<'m>, timing: Timing) -> Self {
         let policy = Policy {
             timing,
-            answers: Deque::new(),
+            answers: Vec::new(),
             expected: 0,
             has_ended: false,
             limit: FIRST_LIMIT,
@@ -185,7 +186,7 @@ impl<'m, const N: usize> Receiver<'m, N> {
     /// The bytes of the next answer to the sender, if there is one. Each is given once: if it gets lost,
     /// the sender's next end shows it.
     pub fn answer(&mut self) -> Option<&[u8]> {
-        let len = match self.policy.answers.pop_front()? {
+        let len = match self.policy.answers.pop()? {
             Answer::Ack(frame) => encode_ack(frame, &mut self.answer),
             Answer::Request(request) => encode_request(request, &mut self.answer),
         };
@@ -293,7 +294,7 @@ impl Policy {
 
     fn put(&mut self, answer: Answer) {
         // What finds no place is asked for at the frame's end.
-        let _ = self.answers.push_back(answer);
+        let _ = self.answers.push(answer);
     }
 
     fn look(&mut self, frame: &Assembler<'_>, now: u32) -> Option<Event> {

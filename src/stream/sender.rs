@@ -1,6 +1,6 @@
 //! The sending end, without I/O: rows in, packets out, requests in.
 
-use heapless::Deque;
+use heapless::Vec;
 
 use super::codec::{Coding, RowCoding};
 use super::crc::{FrameHash, RowHash};
@@ -139,7 +139,8 @@ struct State {
     /// The next row of the sweep; as many have been sent and hashed.
     next: u16,
     hash: FrameHash,
-    repairs: Deque<Repair, REPAIRS>,
+    /// The last one is served first.
+    repairs: Vec<Repair, REPAIRS>,
     header_due: bool,
     end_due: bool,
     /// The packet that waits to be written is the frame's end.
@@ -308,7 +309,7 @@ impl State {
             open: None,
             next: 0,
             hash: FrameHash::new(),
-            repairs: Deque::new(),
+            repairs: Vec::new(),
             header_due: false,
             end_due: false,
             is_end: false,
@@ -323,6 +324,7 @@ impl State {
         }
     }
 
+    #[inline(never)]
     fn begin(&mut self, header: FrameHeader) {
         let Self { patience, round_trip, limit, bytes_sent, .. } = *self;
         *self = Self {
@@ -352,6 +354,7 @@ impl State {
         Some((self.header?, self.open.take()?))
     }
 
+    #[inline(never)]
     fn poll(&mut self, packet: &mut [u8], now: u32) -> Wanted {
         let Some(header) = self.header else { return Wanted::Nothing(Delivery::Unheard) };
         if self.ready > 0 {
@@ -366,7 +369,7 @@ impl State {
             self.ready = encode_header(header, packet).unwrap_or_default();
             return Wanted::Packet;
         }
-        if let Some(repair) = self.repairs.front() {
+        if let Some(repair) = self.repairs.last() {
             return Wanted::Row(repair.next);
         }
         if self.next < header.height {
@@ -410,10 +413,11 @@ impl State {
     }
 
     /// What row `y` is wanted for.
+    #[inline(never)]
     fn target(&self, y: u16) -> Result<Target, EncodeError> {
         let header = self.header.ok_or(EncodeError::NoFrame)?;
-        let (wanted, is_repair, limit) = match self.repairs.front() {
-            Some(repair) => (repair.next, true, repair.limit.clamp(MIN_LIMIT, self.limit)),
+        let (wanted, is_repair, limit) = match self.repairs.last() {
+            Some(repair) => (repair.next, true, repair.limit.max(MIN_LIMIT).min(self.limit)),
             None => (self.next, false, self.limit),
         };
         if self.ready > 0 || y != wanted || y >= header.height {
@@ -429,10 +433,10 @@ impl State {
             self.hash.add(hash());
             self.next += 1;
             self.end_due = self.is_swept();
-        } else if let Some(repair) = self.repairs.front_mut() {
+        } else if let Some(repair) = self.repairs.last_mut() {
             repair.next += 1;
             if repair.next >= repair.end {
-                self.repairs.pop_front();
+                self.repairs.pop();
                 self.end_due = self.is_swept();
             }
         }
@@ -451,6 +455,7 @@ impl State {
         (self.silent, self.tries) = (0, 0);
     }
 
+    #[inline(never)]
     fn acknowledge(&mut self, frame: u16, now: u32) {
         if self.header.is_some_and(|header| header.frame == frame) && self.is_swept() {
             self.heard(now);
@@ -459,6 +464,7 @@ impl State {
         }
     }
 
+    #[inline(never)]
     fn ask(&mut self, request: Request, now: u32) {
         let Some(header) = self.header.filter(|header| header.frame == request.frame) else {
             return;
@@ -474,11 +480,11 @@ impl State {
             Part::Rows { y, count, limit } => {
                 // Rows that are still to come are not lost.
                 let end = y.saturating_add(count).min(self.next).min(header.height);
-                self.limit = limit.clamp(MIN_LIMIT, self.limit);
+                self.limit = limit.max(MIN_LIMIT).min(self.limit);
                 let repair = Repair { next: y, end, limit };
                 if y < end && !self.repairs.iter().any(|other| other.end == end) {
                     // If there is no place, it is asked for once more.
-                    let _ = self.repairs.push_back(repair);
+                    let _ = self.repairs.push(repair);
                 }
             }
         }

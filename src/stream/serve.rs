@@ -105,7 +105,7 @@ where
         }
         match sender.poll(clock.now()) {
             Task::Send(packet) => {
-                line.write_all(packet).map_err(ServeError::Write)?;
+                write(line, packet)?;
                 sender.sent(clock.now());
                 is_flushed = false;
             }
@@ -132,6 +132,20 @@ where
 
 /// So often the line is read before the next packet: noise without end must not hold a frame.
 pub(super) const READS: u8 = 8;
+
+/// Writes all of the bytes.
+pub(super) fn write<L: Write + ?Sized>(
+    line: &mut L,
+    mut bytes: &[u8],
+) -> Result<(), ServeError<L::Error>> {
+    while !bytes.is_empty() {
+        match line.write(bytes).map_err(ServeError::Write)? {
+            0 => return Err(ServeError::Closed),
+            count => bytes = bytes.get(count..).unwrap_or_default(),
+        }
+    }
+    Ok(())
+}
 
 /// The header of a source's frame.
 pub(super) fn header_of<S>(source: &S, frame: u16) -> FrameHeader

@@ -52,7 +52,7 @@ where
         ticks = 0;
         match sender.poll(clock.now()) {
             Task::Send(packet) => {
-                line.write_all(packet).await.map_err(ServeError::Write)?;
+                write(line, packet).await?;
                 sender.sent(clock.now());
                 is_flushed = false;
             }
@@ -96,13 +96,27 @@ where
         let mut bytes = byte.get(..count.unwrap_or(0)).unwrap_or_default();
         let event = receiver.receive(&mut bytes, now).or_else(|| receiver.poll(now));
         while let Some(answer) = receiver.answer() {
-            line.write_all(answer).await.map_err(ServeError::Write)?;
+            write(line, answer).await?;
             line.flush().await.map_err(ServeError::Write)?;
         }
         if let Some(event) = event {
             return Ok(event);
         }
     }
+}
+
+/// Writes all of the bytes.
+async fn write<L: Write + ?Sized>(
+    line: &mut L,
+    mut bytes: &[u8],
+) -> Result<(), ServeError<L::Error>> {
+    while !bytes.is_empty() {
+        match line.write(bytes).await.map_err(ServeError::Write)? {
+            0 => return Err(ServeError::Closed),
+            count => bytes = bytes.get(count..).unwrap_or_default(),
+        }
+    }
+    Ok(())
 }
 
 /// Reads what is there, or waits for that long until something is.

@@ -31,8 +31,13 @@ struct Payload<const N: usize> {
 }
 
 impl<const N: usize> Payload<N> {
-    const fn starting(start: &[u8; N]) -> Self {
-        Self { model: Model::starting(start), interval: Interval::ALL }
+    /// Memory only.
+    const EMPTY: Self = Self { model: Model::EMPTY, interval: Interval::EMPTY };
+
+    /// Begins a payload in the place of the last one: a copy of a model costs its size in stack.
+    fn restart(&mut self, start: &[u8; N]) {
+        self.model.restart(start);
+        self.interval = Interval::ALL;
     }
 
     /// Adds a row, or leaves the payload as it is. Returns whether the row fits, and what `code` returns.
@@ -48,18 +53,20 @@ impl<const N: usize> Payload<N> {
 /// Rows on their way into a payload. The memory for symbols, as wide as a row, is the caller's.
 pub(crate) struct RowsEncoder<P> {
     payload: Payload<SLOTS>,
-    start: Option<Start<P>>,
+    /// The first pixel of the row before, if there is one in the payload.
+    left: Option<P>,
 }
 
 impl<P: Wire> RowsEncoder<P> {
-    /// At the start of a payload.
+    /// Before its first payload.
     pub(crate) const fn new() -> Self {
-        Self { payload: Payload::starting(&START), start: None }
+        Self { payload: Payload::EMPTY, left: None }
     }
 
     /// Begins a payload.
     pub(crate) fn begin(&mut self) {
-        *self = Self::new();
+        self.payload.restart(&START);
+        self.left = None;
     }
 
     /// Adds a row to the payload in `out`. Returns whether it fits; if not, the payload can be finished
@@ -72,12 +79,12 @@ impl<P: Wire> RowsEncoder<P> {
         out: &mut [u8],
     ) -> bool {
         let Some(above) = above.get_mut(..row.len()) else { return false };
-        let start = self.start.unwrap_or(Start { left: alphabet.pixel(0), is_first: true });
-        let left = self
+        let is_first = self.left.is_none();
+        let start = Start { left: self.left.unwrap_or_else(|| alphabet.pixel(0)), is_first };
+        self.left = self
             .payload
             .add(out, |coder| rows::code(coder, alphabet, above, &mut Source(row), start));
-        self.start = left.map(|left| Start { left, is_first: false });
-        left.is_some()
+        self.left.is_some()
     }
 
     /// Ends the payload in `out` with the rows that fit. Returns its length.
@@ -90,14 +97,14 @@ impl<P: Wire> RowsEncoder<P> {
 pub(crate) struct BilevelEncoder(Payload<{ bilevel::CONTEXTS }>);
 
 impl BilevelEncoder {
-    /// At the start of a payload.
+    /// Before its first payload.
     pub(crate) const fn new() -> Self {
-        Self(Payload::starting(&bilevel::START))
+        Self(Payload::EMPTY)
     }
 
     /// Begins a payload. `above` is the memory of the row above: 8 pixels a byte.
     pub(crate) fn begin(&mut self, above: &mut [u8]) {
-        *self = Self::new();
+        self.0.restart(&bilevel::START);
         above.fill(0);
     }
 
@@ -147,7 +154,7 @@ pub(crate) struct RowsDecoder<'a, P> {
 impl<'a, P: Copy + PartialEq> RowsDecoder<'a, P> {
     /// At the first row of a payload. The model is memory only.
     pub(crate) fn new(model: &'a mut Model, payload: &'a [u8]) -> Self {
-        *model = Model::starting(&START);
+        model.restart(&START);
         Self { coder: Decoder::new(model, payload), start: None }
     }
 
@@ -181,7 +188,7 @@ impl<'a> BilevelDecoder<'a> {
         above: &mut [u16],
         payload: &'a [u8],
     ) -> Self {
-        *model = Model::starting(&bilevel::START);
+        model.restart(&bilevel::START);
         above.fill(0);
         Self(Decoder::new(model, payload))
     }

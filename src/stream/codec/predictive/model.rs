@@ -41,15 +41,24 @@ const RATE: u32 = 4;
 pub(crate) struct Model<const N: usize = SLOTS>([u16; N]);
 
 impl<const N: usize> Model<N> {
+    /// Memory only: a payload begins with [`restart`](Self::restart).
+    pub(crate) const EMPTY: Self = Self([0; N]);
+
     /// With these probabilities, in 256ths.
+    #[cfg(test)]
     pub(crate) const fn starting(start: &[u8; N]) -> Self {
         let mut new = Self([0; N]);
-        let (mut slots, mut start) = (new.0.as_mut_slice(), start.as_slice());
+        new.restart(start);
+        new
+    }
+
+    /// Takes these probabilities, in 256ths, in its place.
+    pub(crate) const fn restart(&mut self, start: &[u8; N]) {
+        let (mut slots, mut start) = (self.0.as_mut_slice(), start.as_slice());
         while let ([slot, others @ ..], [first, rest @ ..]) = (slots, start) {
             *slot = u16::from_be_bytes([*first, 0x80]);
             (slots, start) = (others, rest);
         }
-        new
     }
 
     /// The probability of a yes.

@@ -27,6 +27,9 @@ pub(crate) struct Interval {
 }
 
 impl Interval {
+    /// Memory only, and all zeros: a sender is made of zeros in its place then.
+    pub(crate) const EMPTY: Self = Self { low: 0, high: 0, len: 0 };
+
     /// All numbers, and no bytes.
     pub(crate) const ALL: Self = Self { low: 0, high: u32::MAX, len: 0 };
 
