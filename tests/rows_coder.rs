@@ -31,6 +31,7 @@ use scancsg::render::{
 use scancsg::solid::{Scan, Solid};
 use scene::Scene;
 use scene::pipe::PipeScene;
+use std::error::Error;
 
 /// The longest payload: with the 6 bytes before it and the checksum it is one block of COBS.
 const PAYLOAD: usize = 254 - 6 - 4;
@@ -78,47 +79,59 @@ fn bytes<A: Alphabet>(mut alphabet: A, width: usize, pixels: &[A::Pixel]) -> usi
 }
 
 /// A picture by the camera and the light of all measurements, with black around the part.
-fn rendered<T, P>(part: &T, size: [u16; 2], samples: u16, black: P) -> Vec<P>
+fn rendered<T, P>(
+    part: &T,
+    size: [u16; 2],
+    samples: u16,
+    black: P,
+) -> Result<Vec<P>, Box<dyn Error>>
 where
     T: Solid<Scalar = f32> + Scan<scancsg::geom::OrthographicRays<f32>>,
     P: Blend,
 {
-    let camera = f32::orthographic().unwrap();
-    let light = Lambert::new(f32::TO_LIGHT, 0.15).unwrap();
+    let camera = f32::orthographic()?;
+    let light = Lambert::new(f32::TO_LIGHT, 0.15)?;
     let [width, height] = size.map(usize::from);
-    let size = Size::new(size[0], size[1]).unwrap();
+    let size = Size::new(size[0], size[1])?;
     let mut pixels = vec![black; width * height];
     let rows = (0..).zip(pixels.chunks_exact_mut(width));
     if samples > 1 {
         let mut columns = vec![SmoothColumn::EMPTY; width + 1];
-        let smoothing = Smoothing::new(size, samples, &mut columns).unwrap();
+        let smoothing = Smoothing::new(size, samples, &mut columns)?;
         let mut picture = SmoothPicture::new(part, &camera, smoothing, light, black);
-        rows.for_each(|(y, row)| picture.render(y, row).unwrap());
+        for (y, row) in rows {
+            picture.render(y, row)?;
+        }
     } else {
         let mut picture = Picture::new(part, &camera, size, light, black);
-        rows.for_each(|(y, row)| picture.scanline(y).unwrap().render(row).unwrap());
+        for (y, row) in rows {
+            picture.scanline(y)?.render(row)?;
+        }
     }
-    pixels
+    Ok(pixels)
 }
 
 #[test]
-fn grey_pictures() {
-    let tee = rendered(&f32::TEE, [160, 120], 1, Gray8(0));
+fn grey_pictures() -> Result<(), Box<dyn Error>> {
+    let tee = rendered(&f32::TEE, [160, 120], 1, Gray8(0))?;
     let tee = bytes(Levels, 160, &tee);
     assert!(tee <= 2150, "tee takes {tee} bytes");
-    let pipe = f32::pipe(f32::hundredths(1)).unwrap();
-    let pipe = bytes(Levels, 160, &rendered(&pipe, [160, 120], 1, Gray8(0)));
+    let pipe = f32::pipe(f32::hundredths(1))?;
+    let pipe = bytes(Levels, 160, &rendered(&pipe, [160, 120], 1, Gray8(0))?);
     assert!(pipe <= 3600, "the pipe takes {pipe} bytes");
+    Ok(())
 }
 
 #[test]
-fn colour_pictures() {
+fn colour_pictures() -> Result<(), Box<dyn Error>> {
     let colors = [Rgb::new(150, 175, 200), Rgb::new(235, 175, 70)];
     let of = |samples| {
-        let pixels = rendered(&f32::PAINTED_TEE, [320, 240], samples, Rgb565(0));
-        3 * colors.len() + bytes(Palette::<_, 2>::new(&colors), 320, &pixels)
+        let pixels = rendered(&f32::PAINTED_TEE, [320, 240], samples, Rgb565(0))?;
+        let palette = Palette::<_, 2>::new(&colors);
+        Ok::<_, Box<dyn Error>>(3 * colors.len() + bytes(palette, 320, &pixels))
     };
-    let [plain, smooth] = [1, 4].map(of);
+    let (plain, smooth) = (of(1)?, of(4)?);
     assert!(plain <= 4100, "tee takes {plain} bytes");
     assert!(smooth <= 7600, "the smooth tee takes {smooth} bytes");
+    Ok(())
 }

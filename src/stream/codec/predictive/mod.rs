@@ -32,6 +32,11 @@ impl<const N: usize> Payload<N> {
         Self { model: Model::starting(start), interval: Interval::ALL }
     }
 
+    fn restart(&mut self, start: &[u8; N]) {
+        self.model.restart(start);
+        self.interval = Interval::ALL;
+    }
+
     /// Adds a row, or leaves the payload as it is. Returns whether the row fits.
     fn add(&mut self, out: &mut [u8], code: impl FnOnce(&mut Encoder<'_, N>)) -> bool {
         let mut coder = Encoder::resume(&mut self.model, self.interval, out);
@@ -56,7 +61,8 @@ impl<P: Copy + PartialEq> RowsEncoder<P> {
 
     /// Begins a payload.
     pub(crate) fn begin(&mut self) {
-        *self = Self::new();
+        self.payload.restart(&START);
+        self.start = None;
     }
 
     /// Adds a row to the payload in `out`. Returns whether it fits; if not, the payload can be finished
@@ -91,7 +97,7 @@ impl BilevelEncoder {
 
     /// Begins a payload. `above` is the memory of the row above: 8 pixels a byte.
     pub(crate) fn begin(&mut self, above: &mut [u8]) {
-        *self = Self::new();
+        self.0.restart(&bilevel::START);
         above.fill(0);
     }
 
@@ -140,7 +146,7 @@ pub(crate) struct RowsDecoder<'a, P> {
 impl<'a, P: Copy + PartialEq> RowsDecoder<'a, P> {
     /// At the first row of a payload. The model is memory only.
     pub(crate) fn new(model: &'a mut Model, payload: &'a [u8]) -> Self {
-        *model = Model::starting(&START);
+        model.restart(&START);
         Self { coder: Decoder::new(model, payload), start: None }
     }
 
@@ -174,7 +180,7 @@ impl<'a> BilevelDecoder<'a> {
         above: &mut [u8],
         payload: &'a [u8],
     ) -> Self {
-        *model = Model::starting(&bilevel::START);
+        model.restart(&bilevel::START);
         above.fill(0);
         Self(Decoder::new(model, payload))
     }

@@ -44,12 +44,17 @@ impl<const N: usize> Model<N> {
     /// With these probabilities, in 256ths.
     pub(crate) const fn starting(start: &[u8; N]) -> Self {
         let mut new = Self([0; N]);
-        let (mut slots, mut start) = (new.0.as_mut_slice(), start.as_slice());
+        new.restart(start);
+        new
+    }
+
+    /// Back to these probabilities, in place.
+    pub(crate) const fn restart(&mut self, start: &[u8; N]) {
+        let (mut slots, mut start) = (self.0.as_mut_slice(), start.as_slice());
         while let ([slot, others @ ..], [first, rest @ ..]) = (slots, start) {
             *slot = u16::from_be_bytes([*first, 0x80]);
             (slots, start) = (others, rest);
         }
-        new
     }
 
     /// The probability of a yes.
