@@ -16,11 +16,13 @@ mod scene;
 
 // The coder, as it is: its insides are of no use to a user of the library.
 #[path = "../../src/stream/codec/predictive/alphabet.rs"]
+#[allow(dead_code)]
 mod alphabet;
 #[path = "../../src/stream/codec/predictive/model.rs"]
 #[allow(dead_code)]
 mod model;
 #[path = "../../src/stream/codec/predictive/palette.rs"]
+#[allow(dead_code)]
 mod palette;
 #[path = "../../src/stream/codec/predictive/range.rs"]
 #[allow(dead_code)]

@@ -182,7 +182,8 @@ fn a_recording_is_played_and_a_picture_is_saved() {
     // Cut off, and not from its beginning.
     let bytes = recording::<Gray8>(0..2);
     play(&mut browser, "cut.bin", &bytes[100..bytes.len() - 300]);
-    browser.wait("document.querySelector('#status').textContent.includes('in the middle of frame 1')");
+    browser
+        .wait("document.querySelector('#status').textContent.includes('in the middle of frame 1')");
     let missing = browser.value("document.querySelector('#status').textContent");
     assert!(missing.as_str().unwrap().ends_with(" of 40 rows are missing"), "{missing}");
 

@@ -86,7 +86,8 @@ mod tests {
 
     #[test]
     fn bytes_become_base64() {
-        let pairs = [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foob", "Zm9vYg==")];
+        let pairs =
+            [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foob", "Zm9vYg==")];
         assert!(pairs.iter().all(|(bytes, text)| base64(bytes.as_bytes()) == *text));
         assert_eq!(base64(&[0xFB, 0xEF, 0xBE, 0xFF]), "++++/w==");
     }

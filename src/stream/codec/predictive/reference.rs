@@ -57,7 +57,7 @@ impl<'a> Reference<'a> {
 
     fn bin(&mut self, slot: usize) -> bool {
         let probability = self.probabilities[slot];
-        let bit = self.split(probability / 16 | 1);
+        let bit = self.split((probability / 16) | 1);
         self.probabilities[slot] = if bit {
             probability + (65535 - probability) / 16
         } else {

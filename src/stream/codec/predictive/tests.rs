@@ -133,6 +133,22 @@ fn colors() -> impl Strategy<Value = Vec<Rgb>> {
         .prop_map(|all| all.into_iter().map(|[r, g, b]| Rgb::new(r, g, b)).collect())
 }
 
+/// The table and the example of the documentation are what the coder has and writes.
+#[test]
+fn the_documentation_is_right() {
+    let words = include_str!("../../../../docs/link_rows.md").split_whitespace();
+    let all: std::string::String = words.collect();
+    let hex = |bytes: &[u8]| -> std::string::String {
+        bytes.iter().map(|byte| std::format!("{byte:02x}")).collect()
+    };
+    assert!(all.contains(&hex(&START)));
+    let rows =
+        [[0, 0, 0, 50, 60, 70, 80, 0], [0, 0, 0, 51, 61, 71, 81, 0], [0, 0, 0, 52, 64, 90, 90, 0]];
+    let (payloads, _) = encode(&mut Levels, 8, rows.map(|row| row.map(Gray8)).as_flattened());
+    assert_eq!(payloads.len(), 1);
+    assert!(all.contains(&std::format!("Thepayload`{}`holds", hex(&payloads[0].1))));
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 128, ..ProptestConfig::default() })]
 
@@ -210,7 +226,7 @@ proptest! {
         for _ in 0..5 {
             decoder.row(&mut above, width);
             // Nothing is behind the last pixel.
-            let unused = 0xFF_u16 >> (width - 1) % 8 >> 1;
+            let unused = 0xFF_u16 >> ((width - 1) % 8) >> 1;
             prop_assert_eq!(u16::from(above[size - 1]) & unused, 0);
         }
     }
