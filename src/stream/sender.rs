@@ -462,7 +462,8 @@ impl State {
     }
 
     fn acknowledge(&mut self, frame: u16, now: u32) {
-        if self.header.is_some_and(|header| header.frame == frame) && self.is_swept() {
+        // Before the end, it is late and of another frame with this number.
+        if self.header.is_some_and(|header| header.frame == frame) && self.has_ended {
             self.heard(now);
             self.repairs.clear();
             self.delivery = Some(Delivery::Acknowledged { repairs: self.asked });
