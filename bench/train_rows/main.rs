@@ -106,13 +106,13 @@ fn encode<A: Alphabet>(
             let held = decisions.len();
             let encoder = Encoder::resume(&mut model, interval, &mut out);
             let mut coder = Watched { encoder, decisions: &mut decisions };
-            let left = rows::code(&mut coder, &mut alphabet, &mut above, &mut Source(row), from);
+            rows::code(&mut coder, &mut alphabet, &mut above, &mut Source(row), from);
             let Some(end) = coder.encoder.fits() else {
                 decisions.truncate(held);
                 break;
             };
             interval = end;
-            from = Start { left, is_first: false };
+            from = Start { left: row.first().copied().unwrap_or(from.left), is_first: false };
             count += 1;
             rows.next();
         }

@@ -1,13 +1,14 @@
 //! The host: chooses what is rendered, gives it a line, and looks at what comes out.
 
-use crate::args::{self, Args, Camera, Format, Number, Path};
+use crate::args::{self, Args, Camera, Coding, Format, Number, Path};
+use crate::coding::Chosen;
 use crate::gallery::Assembly;
 use crate::host::film::Film;
 use crate::host::meter::Meter;
 use crate::host::port::{self, Port};
 use crate::host::receive::{CAPACITY, Ending, Room, Session, timing};
 use crate::host::screen::Screen;
-use crate::host::wire::{Faults, Wire};
+use crate::host::wire::{Trouble, Wire};
 use crate::line::{Line, ONE_WAY, PATIENCE};
 use crate::scene::LAP;
 use crate::scene::pipe::PipeScene;
@@ -19,7 +20,7 @@ use scancsg::render::{
 };
 use scancsg::scalar::I16F16;
 use scancsg::solid::{Placed, Scan, Solid};
-use scancsg::stream::{Delivery, Plain, Sender, ServeError, WirePixel, serve};
+use scancsg::stream::{Delivery, Predictable, Sender, ServeError, WirePixel, serve};
 use std::f64::consts::TAU;
 use std::io;
 use std::process::ExitCode;
@@ -67,7 +68,7 @@ pub fn run() -> ExitCode {
 
 fn line(port: Box<dyn Port>, args: &Args) -> Line {
     let baud = args.baud.filter(|_| args.port.is_none());
-    Line::new(Wire::new(port, Faults { baud, noise: args.noise, cut_after: args.cut_after }))
+    Line::new(Wire::new(port, Trouble { baud, noise: args.noise, cut_after: args.cut_after }))
 }
 
 /// What the sending side has to say when it is done.
@@ -254,7 +255,7 @@ fn send_shaded<S, T, P>(
 where
     S: Choice,
     T: Part<S>,
-    P: Blend + WirePixel,
+    P: Blend + WirePixel<Wire: Predictable>,
 {
     let shading = Shading::new(args.shade, S::TO_LIGHT, S::hundredths);
     let shading = shading.map_err(|error| error.to_string())?;
@@ -295,11 +296,15 @@ where
     S: Choice,
     C: scancsg::render::Camera<Rays: Rays<Scalar = S>>,
     T: Solid<Scalar = S> + Scan<C::Rays>,
-    P: Blend + WirePixel,
+    P: Blend + WirePixel<Wire: Predictable>,
 {
     let size: Size = args.size;
+    let coding = match args.coding {
+        Coding::Plain => Chosen::plain(),
+        Coding::Predictive => Chosen::predictive(),
+    };
     let patience = if args.one_way { ONE_WAY } else { PATIENCE };
-    let mut sender = Box::new(Sender::<_, CAPACITY>::new(Plain, patience));
+    let mut sender = Box::new(Sender::<_, CAPACITY>::new(coding, patience));
     let (mut port, mut clock) = (line, line);
     let mut pixels = vec![background; usize::from(size.width())];
     let mut columns = vec![SmoothColumn::EMPTY; usize::from(size.width()) + 1];

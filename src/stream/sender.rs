@@ -331,6 +331,7 @@ impl State {
         }
     }
 
+    #[inline(never)]
     fn begin(&mut self, header: FrameHeader) {
         let Self { patience, round_trip, limit, bytes_sent, .. } = *self;
         *self = Self {
@@ -360,6 +361,7 @@ impl State {
         Some((self.header?, self.open.take()?))
     }
 
+    #[inline(never)]
     fn poll(&mut self, packet: &mut [u8], now: u32) -> Wanted {
         let Some(header) = self.header else { return Wanted::Nothing(Delivery::Unheard) };
         if self.ready > 0 {
@@ -419,10 +421,11 @@ impl State {
     }
 
     /// What row `y` is wanted for.
+    #[inline(never)]
     fn target(&self, y: u16) -> Result<Target, EncodeError> {
         let header = self.header.ok_or(EncodeError::NoFrame)?;
         let (wanted, is_repair, limit) = match self.repairs.last() {
-            Some(repair) => (repair.next, true, repair.limit.clamp(MIN_LIMIT, self.limit)),
+            Some(repair) => (repair.next, true, repair.limit.max(MIN_LIMIT).min(self.limit)),
             None => (self.next, false, self.limit),
         };
         if self.ready > 0 || y != wanted || y >= header.height {
@@ -461,6 +464,7 @@ impl State {
         (self.silent, self.tries) = (0, 0);
     }
 
+    #[inline(never)]
     fn acknowledge(&mut self, frame: u16, now: u32) {
         // Before the end, it is late and of another frame with this number.
         if self.header.is_some_and(|header| header.frame == frame) && self.has_ended {
@@ -470,6 +474,7 @@ impl State {
         }
     }
 
+    #[inline(never)]
     fn ask(&mut self, request: Request, now: u32) {
         let Some(header) = self.header.filter(|header| header.frame == request.frame) else {
             return;
@@ -485,7 +490,7 @@ impl State {
             Part::Rows { y, count, limit } => {
                 // Rows that are still to come are not lost.
                 let end = y.saturating_add(count).min(self.next).min(header.height);
-                self.limit = limit.clamp(MIN_LIMIT, self.limit);
+                self.limit = limit.max(MIN_LIMIT).min(self.limit);
                 let repair = Repair { next: y, end, limit };
                 if y < end && !self.repairs.iter().any(|other| other.end == end) {
                     // If there is no place, it is asked for once more.

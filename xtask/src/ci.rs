@@ -4,7 +4,7 @@ use crate::board::{Board, Number};
 use crate::boards::{self, Boards};
 use crate::paths::root;
 use crate::toolchain::{self, has_program};
-use crate::{faults, layers, log};
+use crate::{faults, layers, log, python, web};
 use std::fs;
 use std::process::Command;
 use std::time::Instant;
@@ -26,7 +26,7 @@ struct Step {
 }
 
 /// Quick ones first.
-const STEPS: [Step; 12] = [
+const STEPS: [Step; 14] = [
     Step { name: "format", what: "every file is formatted", run: format },
     Step { name: "layers", what: "files import downwards, and in no circle", run: layers },
     Step { name: "lints", what: "clippy, on all members and all features", run: lints },
@@ -40,6 +40,8 @@ const STEPS: [Step; 12] = [
         run: stream,
     },
     Step { name: "package", what: "a dependent gets the crate, and nothing else", run: package },
+    Step { name: "python", what: "the Python package receives what was sent", run: python::check },
+    Step { name: "web", what: "the page in a browser has the host's bits", run: page },
     Step {
         name: "boards",
         what: "firmware on five boards: pictures, sizes, instructions",
@@ -172,6 +174,18 @@ fn is_packaged(path: &str) -> bool {
         || path.starts_with("Cargo.")
 }
 
+fn page() -> Result<(), String> {
+    let mut packages = Vec::new();
+    if !has_program("chromium") {
+        packages.push("chromium");
+    }
+    if !toolchain::is_there(toolchain::WEB) {
+        packages.extend(toolchain::DEBIAN_PACKAGES.split(' '));
+    }
+    install(&packages)?;
+    web::run(&web::Web { test: true })
+}
+
 fn all_boards() -> Result<(), String> {
     ensure_board_tools()?;
     boards::measure(&Boards::default())
@@ -199,6 +213,11 @@ fn ensure_board_tools() -> Result<(), String> {
     if Board::ALL.iter().any(|board| !toolchain::is_there(board.target())) {
         packages.extend(toolchain::DEBIAN_PACKAGES.split(' '));
     }
+    install(&packages)
+}
+
+/// Installs packages of Debian's.
+fn install(packages: &[&str]) -> Result<(), String> {
     if packages.is_empty() {
         return Ok(());
     }

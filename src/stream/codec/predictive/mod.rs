@@ -31,9 +31,8 @@ struct Payload<const N: usize> {
 }
 
 impl<const N: usize> Payload<N> {
-    const fn starting(start: &[u8; N]) -> Self {
-        Self { model: Model::starting(start), interval: Interval::ALL }
-    }
+    /// Memory only.
+    const EMPTY: Self = Self { model: Model::EMPTY, interval: Interval::EMPTY };
 
     /// Begins a payload in the place of the last one: a copy of a model costs its size in stack.
     fn restart(&mut self, start: &[u8; N]) {
@@ -41,32 +40,33 @@ impl<const N: usize> Payload<N> {
         self.interval = Interval::ALL;
     }
 
-    /// Adds a row, or leaves the payload as it is. Returns whether the row fits, and what `code` returns.
-    fn add<T>(&mut self, out: &mut [u8], code: impl FnOnce(&mut Encoder<'_, N>) -> T) -> Option<T> {
+    /// Adds a row, or leaves the payload as it is. Returns whether the row fits.
+    fn add(&mut self, out: &mut [u8], code: impl FnOnce(&mut Encoder<'_, N>)) -> bool {
         let mut coder = Encoder::resume(&mut self.model, self.interval, out);
-        let result = code(&mut coder);
-        let interval = coder.fits()?;
-        self.interval = interval;
-        Some(result)
+        code(&mut coder);
+        let end = coder.fits();
+        self.interval = end.unwrap_or(self.interval);
+        end.is_some()
     }
 }
 
 /// Rows on their way into a payload. The memory for symbols, as wide as a row, is the caller's.
 pub(crate) struct RowsEncoder<P> {
     payload: Payload<SLOTS>,
-    start: Option<Start<P>>,
+    /// The first pixel of the row before, if there is one in the payload.
+    left: Option<P>,
 }
 
 impl<P: Wire> RowsEncoder<P> {
-    /// At the start of a payload.
+    /// Before its first payload.
     pub(crate) const fn new() -> Self {
-        Self { payload: Payload::starting(&START), start: None }
+        Self { payload: Payload::EMPTY, left: None }
     }
 
     /// Begins a payload.
     pub(crate) fn begin(&mut self) {
         self.payload.restart(&START);
-        self.start = None;
+        self.left = None;
     }
 
     /// Adds a row to the payload in `out`. Returns whether it fits; if not, the payload can be finished
@@ -79,12 +79,10 @@ impl<P: Wire> RowsEncoder<P> {
         out: &mut [u8],
     ) -> bool {
         let Some(above) = above.get_mut(..row.len()) else { return false };
-        let start = self.start.unwrap_or(Start { left: alphabet.pixel(0), is_first: true });
-        let left = self
-            .payload
-            .add(out, |coder| rows::code(coder, alphabet, above, &mut Source(row), start));
-        self.start = left.map(|left| Start { left, is_first: false });
-        left.is_some()
+        let is_first = self.left.is_none();
+        let start = Start { left: self.left.unwrap_or_else(|| alphabet.pixel(0)), is_first };
+        self.left = row.first().map(|left| left.to_wire());
+        self.payload.add(out, |coder| rows::code(coder, alphabet, above, &mut Source(row), start))
     }
 
     /// Ends the payload in `out` with the rows that fit. Returns its length.
@@ -97,9 +95,9 @@ impl<P: Wire> RowsEncoder<P> {
 pub(crate) struct BilevelEncoder(Payload<{ bilevel::CONTEXTS }>);
 
 impl BilevelEncoder {
-    /// At the start of a payload.
+    /// Before its first payload.
     pub(crate) const fn new() -> Self {
-        Self(Payload::starting(&bilevel::START))
+        Self(Payload::EMPTY)
     }
 
     /// Begins a payload. `above` is the memory of the row above: 8 pixels a byte.
@@ -117,7 +115,7 @@ impl BilevelEncoder {
         out: &mut [u8],
     ) -> bool {
         let Some(above) = above.get_mut(..width.div_ceil(8)) else { return false };
-        self.0.add(out, |coder| bilevel::code(coder, above, width, pixel)).is_some()
+        self.0.add(out, |coder| bilevel::code(coder, above, width, pixel))
     }
 
     /// Ends the payload in `out` with the rows that fit. Returns its length.
@@ -167,9 +165,9 @@ impl<'a, P: Copy + PartialEq> RowsDecoder<'a, P> {
         row: &mut [u8],
     ) {
         let start = self.start.unwrap_or(Start { left: alphabet.pixel(0), is_first: true });
-        let mut line = Sink(row, A::bytes);
-        let left = rows::code(&mut self.coder, alphabet, above, &mut line, start);
-        self.start = Some(Start { left, is_first: false });
+        let mut line = Sink { row, bytes: A::bytes, first: start.left };
+        rows::code(&mut self.coder, alphabet, above, &mut line, start);
+        self.start = Some(Start { left: line.first, is_first: false });
     }
 
     /// Whether the payload has just the bytes that its rows need.
@@ -205,9 +203,14 @@ impl<'a> BilevelDecoder<'a> {
 }
 
 /// A row that is written, as bytes.
-struct Sink<'a, F>(&'a mut [u8], F);
+struct Sink<'a, P, F> {
+    row: &'a mut [u8],
+    bytes: F,
+    /// The pixel in the first column.
+    first: P,
+}
 
-impl<P: Copy, B: AsRef<[u8]>, F: Fn(P) -> B> Line<P> for Sink<'_, F> {
+impl<P: Copy, B: AsRef<[u8]>, F: Fn(P) -> B> Line<P> for Sink<'_, P, F> {
     fn get(&self, _: usize) -> Option<P> {
         None
     }
@@ -217,15 +220,20 @@ impl<P: Copy, B: AsRef<[u8]>, F: Fn(P) -> B> Line<P> for Sink<'_, F> {
     }
 
     fn fill(&mut self, from: usize, to: usize, pixel: P) {
-        let bytes = self.1(pixel);
+        if from == 0 {
+            self.first = pixel;
+        }
+        let bytes = (self.bytes)(pixel);
         let bytes = bytes.as_ref();
         let (from, to) = (from * bytes.len(), to * bytes.len());
-        let places = self.0.get_mut(from..to).unwrap_or_default();
+        let places = self.row.get_mut(from..to).unwrap_or_default();
         for (to, byte) in places.iter_mut().zip(bytes.iter().cycle()) {
             *to = *byte;
         }
     }
 }
 
+#[cfg(test)]
+mod reference;
 #[cfg(test)]
 mod tests;

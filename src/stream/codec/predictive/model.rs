@@ -41,7 +41,11 @@ const RATE: u32 = 4;
 pub(crate) struct Model<const N: usize = SLOTS>([u16; N]);
 
 impl<const N: usize> Model<N> {
+    /// Memory only: a payload begins with [`restart`](Self::restart).
+    pub(crate) const EMPTY: Self = Self([0; N]);
+
     /// With these probabilities, in 256ths.
+    #[cfg(test)]
     pub(crate) const fn starting(start: &[u8; N]) -> Self {
         let mut new = Self([0; N]);
         new.restart(start);

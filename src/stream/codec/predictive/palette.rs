@@ -112,7 +112,7 @@ impl Chain {
 }
 
 /// How many pixels an encoder remembers the symbols of.
-const CACHE: usize = 32;
+const CACHE: usize = 64;
 
 /// In a remembered symbol: the pixel isn't in the chains, and the symbol is that of a near one.
 const IS_NEAR: u16 = 0x8000;

@@ -27,6 +27,9 @@ pub(crate) struct Interval {
 }
 
 impl Interval {
+    /// Memory only, and all zeros: a sender is made of zeros in its place then.
+    pub(crate) const EMPTY: Self = Self { low: 0, high: 0, len: 0 };
+
     /// All numbers, and no bytes.
     pub(crate) const ALL: Self = Self { low: 0, high: u32::MAX, len: 0 };
 
@@ -107,6 +110,16 @@ impl<'a, const N: usize> Encoder<'a, N> {
         }
     }
 
+    /// A decision with an adaptive probability. What the caller knows isn't handed back: that would take
+    /// one instruction in ten.
+    #[inline(never)]
+    fn adapt(&mut self, slot: Slot, bit: bool) {
+        let probability = self.model.of(slot);
+        let middle = self.interval.middle(probability.yes());
+        probability.learn(bit);
+        self.take(middle, bit);
+    }
+
     /// Once in eight bits of payload, so it isn't inlined.
     #[cold]
     #[inline(never)]
@@ -122,12 +135,9 @@ impl<'a, const N: usize> Encoder<'a, N> {
 }
 
 impl<const N: usize> Bins for Encoder<'_, N> {
-    #[inline(never)]
+    #[inline(always)]
     fn bin(&mut self, slot: Slot, bit: bool) -> bool {
-        let probability = self.model.of(slot);
-        let middle = self.interval.middle(probability.yes());
-        probability.learn(bit);
-        self.take(middle, bit);
+        self.adapt(slot, bit);
         bit
     }
 

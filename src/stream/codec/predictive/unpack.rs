@@ -56,7 +56,7 @@ fn symbols<'r, A: Alphabet<Symbol = u16>>(
     rows: impl Iterator<Item = &'r mut [u8]>,
     above: &mut [u16],
 ) -> bool {
-    let mut model = Model::<SLOTS>::starting(&[0; SLOTS]);
+    let mut model = Model::<SLOTS>::EMPTY;
     let mut decoder = RowsDecoder::new(&mut model, payload);
     rows.for_each(|row| decoder.row(alphabet, above, row));
     decoder.is_exact()
@@ -69,7 +69,7 @@ fn bits<'r>(
     above: &mut [u16],
 ) -> bool {
     let above = above.get_mut(..PixelFormat::Mono.row_bytes(width)).unwrap_or_default();
-    let mut model = Model::starting(&[0; bilevel::CONTEXTS]);
+    let mut model = Model::<{ bilevel::CONTEXTS }>::EMPTY;
     let mut decoder = BilevelDecoder::new(&mut model, above, payload);
     for row in rows {
         decoder.row(above, width.into());
