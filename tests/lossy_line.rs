@@ -100,7 +100,8 @@ fn run<C: RowCoding<Gray8>, const BACK: usize>(coding: C, film: &Film, setup: Se
     let (mut writing, mut answering) = (VecDeque::<u8>::new(), VecDeque::<u8>::new());
     // Bytes, and when they arrive.
     let mut under_way = [VecDeque::<(u32, u8)>::new(), VecDeque::new()];
-    let (mut frame, mut now, mut busy, mut rendered) = (0, 0_u32, 0, None);
+    let (mut frame, mut now, mut busy) = (0, 0_u32, 0);
+    let (mut wanted, mut rendered) = (None, None);
     let (format, palette) = (PixelFormat::Gray8, Palette::EMPTY);
     let header = |frame| FrameHeader { frame, width: WIDTH, height: HEIGHT, format, palette };
     sender.begin(header(0)).unwrap();
@@ -120,13 +121,16 @@ fn run<C: RowCoding<Gray8>, const BACK: usize>(coding: C, film: &Film, setup: Se
                 }
                 continue;
             }
+            if let Some(y) = wanted.take() {
+                sender.row(y, &film.row(frame, y)).unwrap();
+            }
             while let Some(byte) = back.pop(now) {
                 sender.receive(byte, now);
             }
             match sender.poll(now) {
                 Task::Send(packet) => writing.extend(packet),
                 Task::Row(y) => {
-                    sender.row(y, &film.row(frame, y)).unwrap();
+                    wanted = Some(y);
                     if rendered != Some((frame, y)) {
                         rendered = Some((frame, y));
                         busy = now + rendering;
@@ -232,6 +236,25 @@ fn clean() {
     let outcome = run::<_, 64>(Plain, &film, setup);
     assert_eq!(outcome.there.packets, u64::from(setup.frames) * (u64::from(HEIGHT) + 2));
     assert_eq!(outcome.back.packets, u64::from(setup.frames));
+}
+
+/// A picture that takes its time: the receiver asks before a packet of several rows is full, and rows that
+/// are still to come are not sent twice for that.
+#[test]
+fn a_slow_picture() {
+    let film = Film::new();
+    let quick = both_ways(3, Faults::NONE);
+    for rendering in [500, 2_500, 6_000] {
+        let slow = Setup { rendering, ..quick };
+        let packets = |setup| {
+            let plain = run::<_, 64>(Plain, &film, setup);
+            let predictive = run::<_, 64>(predictive(), &film, setup);
+            [plain, predictive].map(|outcome| outcome.there.packets)
+        };
+        let [quick, slow] = [quick, slow].map(packets);
+        assert_eq!(slow, quick, "{rendering}");
+        println!("a slow picture: {slow:?} packets, {quick:?} of a quick one");
+    }
 }
 
 #[test]
@@ -343,7 +366,7 @@ fn repair_does_not_wait() {
         ("fast, under way", 200, 0, 5),
         ("fast, slow device", 200, 5, 0),
     ] {
-        let clean = Setup { speed, rendering, latency, ..both_ways(48, Faults::NONE) };
+        let clean = Setup { speed, rendering, latency, ..both_ways(frames(16), Faults::NONE) };
         let noisy = Setup { there: BYTES, back: BYTES, ..clean };
         let in_time = |coding, [clean, noisy]: [u32; 2]| {
             let ratio = f64::from(noisy) / f64::from(clean);

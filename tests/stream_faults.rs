@@ -240,7 +240,7 @@ fn no_memory_for_rows_that_are_coded_together() {
             assert!(now < 4 * 5000, "the frame has no end");
             match sender.poll(now) {
                 Task::Send(packet) => {
-                    events.extend(receive(&mut receiver, &packet.to_vec(), now));
+                    events.extend(receive(&mut receiver, packet, now));
                     sender.sent(now);
                 }
                 Task::Row(y) => sender.row(y, &gray_row(small(frame), y)).unwrap(),
@@ -322,7 +322,7 @@ fn lost_headers() {
                     let is_header = packet[0] == 0;
                     headers += usize::from(is_header);
                     if !is_header || headers > lost {
-                        receive(&mut receiver, &packet.to_vec(), now);
+                        receive(&mut receiver, packet, now);
                     }
                     sender.sent(now);
                 }
