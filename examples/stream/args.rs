@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use std::sync::LazyLock;
 
 const EXIT_CODES: &str = "\
-Exit codes: 0 all frames are whole and acknowledged, 1 something failed, 2 wrong options,
+Exit codes: 0 all frames are whole and acknowledged, 1 something failed, 2 wrong options, \
 3 a frame is incomplete or not acknowledged.";
 
 /// Render a part row by row, send it through a serial line, and put it together at the other end.

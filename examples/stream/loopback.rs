@@ -20,7 +20,7 @@ use scancsg::render::{
 };
 use scancsg::scalar::I16F16;
 use scancsg::solid::{Placed, Scan, Solid};
-use scancsg::stream::{Delivery, Predictable, Sender, ServeError, WirePixel, serve};
+use scancsg::stream::{Delivery, Predictable, Sender, ServeError, Timing, WirePixel, serve};
 use std::f64::consts::TAU;
 use std::io;
 use std::process::ExitCode;
@@ -38,8 +38,8 @@ const NEAR_HEIGHT: f64 = 3.7;
 /// For the pipe's segments, and their views and rows, which an unoptimised build copies about.
 const SENDER_STACK: usize = 16 << 20;
 
-/// With no sender, this long is waited for a frame.
-const FRAME_WAIT: Duration = Duration::from_secs(5);
+/// A frame's first packet may have to be rendered for so long; a sender that fails closes the line.
+const FRAME_WAIT: Duration = Duration::from_secs(120);
 
 /// After so many frames in a row that nobody has acknowledged, no more are sent.
 const UNHEARD: u32 = 3;
@@ -113,7 +113,9 @@ fn loop_back(args: &Args) -> Result<Vec<String>, String> {
             .spawn_scoped(scope, || send(args, &line(far, args), &mut |_| {}))
             .map_err(|error| format!("starting a thread failed: {error}"))?;
         let mut room = Room::new();
-        let mut session: Session<'_> = Session::new(near, &mut room, timing(args.baud));
+        let give_up = FRAME_WAIT.as_millis() as u32;
+        let timing = Timing { give_up, ..timing(args.baud) };
+        let mut session: Session<'_> = Session::new(near, &mut room, timing);
         let (mut screen, mut meter, mut film) = (Screen::new(), Meter::new(), Film::new(&args.out));
         let count = u32::from(args.frames);
         let (mut problems, mut arrived, mut raw) = (Vec::new(), 0, 0);

@@ -345,6 +345,58 @@ fn a_recording_gives_the_same_pictures() {
     assert!(message.contains("only 2 of 3 frames"), "{message}");
 }
 
+#[test]
+fn frames_of_another_size_are_in_a_file_of_their_own() {
+    let (mut device, out) = (Device::new(), scratch("sizes.png"));
+    let mut view = view(device.name(), &["--out", text(&out), "--frames", "4"]);
+    let frames = [(48, 36), (48, 36), (20, 30), (48, 36)];
+    let frames = [1, 2, 3, 4].map(|id| {
+        let (width, height) = frames[usize::from(id) - 1];
+        Frame::new(id, width, height)
+    });
+    frames.iter().for_each(|frame| device.deliver(&mut view, frame));
+    ends(view, 0);
+    assert_eq!(all_frames(&out), [&frames[0], &frames[1]].map(Frame::levels));
+    frames[2].is_in(&read_png(&scratch("sizes-2.png")));
+    frames[3].is_in(&read_png(&scratch("sizes-3.png")));
+}
+
+/// What is too large is refused, said, and no reason to end.
+#[test]
+fn a_frame_that_is_too_large_is_refused() {
+    let (mut device, out) = (Device::new(), scratch("fits.png"));
+    let mut view = view(device.name(), &["--out", text(&out), "--frames", "1"]);
+    for _ in 0..3 {
+        device.port.write(&mut view, &Frame::new(9, 48, 60_000).header());
+        device.answers();
+    }
+    device.deliver(&mut view, &FRAMES[0]);
+    let message = ends(view, 0);
+    assert!(message.contains("refused: frame does not fit"), "{message}");
+    FRAMES[0].is_in(&read_png(&out));
+}
+
+/// Both tools, with noise on the line between them: the frames are those of a clean line.
+#[test]
+fn view_receives_what_stream_sends() {
+    let [noisy, clean] = ["noisy-line.png", "clean-line.png"].map(scratch);
+    let frames = ["--frames", "3", "--size", "48x36", "--format", "rgb565"];
+    let arguments = [&frames[..], &["--out", text(&clean)]].concat();
+    assert!(Guarded::spawn(example("stream").args(arguments)).end().status.success());
+
+    let (mut near, mut far) = (Pty::new(), Pty::new());
+    let mut view = view(&near.name, &["--frames", "3", "--out", text(&noisy)]);
+    let arguments = [&frames[..], &["--noise", "0.01", "--port", &far.name]].concat();
+    let mut stream = Guarded::spawn(example("stream").args(arguments));
+    while view.is_running() || stream.is_running() {
+        near.write(&mut view, &far.read());
+        far.write(&mut stream, &near.read());
+    }
+    ends(view, 0);
+    ends(stream, 0);
+    assert_eq!(fs::read(noisy).unwrap(), fs::read(clean).unwrap());
+}
+
 /// Web pages get the line's bytes, and their answers go to the device; pages of other hosts don't.
 #[test]
 fn web_pages_are_served() {

@@ -113,6 +113,9 @@ fn receive(args: &Args) -> Result<ExitCode, String> {
         (None, None) => return Err("there is nothing to receive from".into()),
     };
     let mut screen = Screen::new();
+    if let Some(device) = device.as_ref().filter(|_| args.port.is_none()) {
+        screen.note(&format!("listening to {device} at {} baud", args.baud));
+    }
     let server = args.serve.map(Server::start).transpose()?;
     if let Some(server) = &server {
         screen.note(&format!("serving ws://{}", server.address()));
@@ -265,8 +268,10 @@ impl Run<'_> {
         for place in self.saver.places() {
             println!("{place}: {}", frames(self.saver.count()));
         }
-        let [_, figures] = self.meter.lines(self.session.picture(), traffic, None);
-        println!("{figures}");
+        if !self.screen.is_terminal() {
+            let [_, figures] = self.meter.lines(self.session.picture(), traffic, None);
+            println!("{figures}");
+        }
         if let End::Silence = end {
             let wait = self.wait().unwrap_or_default().as_secs();
             problems.push(if !is_connected {
