@@ -145,11 +145,15 @@ fn rows(
 fn bytes(format: PixelFormat, pixels: &[Every]) -> Vec<u8> {
     match format {
         PixelFormat::Gray8 => pixels.iter().map(|pixel| pixel.gray.0).collect(),
-        PixelFormat::Rgb565 => pixels.iter().flat_map(|pixel| pixel.rgb565.0.to_le_bytes()).collect(),
+        PixelFormat::Rgb565 => {
+            pixels.iter().flat_map(|pixel| pixel.rgb565.0.to_le_bytes()).collect()
+        }
         PixelFormat::Rgb888 => pixels.iter().flat_map(|pixel| pixel.rgb888.0).collect(),
         _ => {
             let byte = |eight: &[Every]| {
-                (0..).zip(eight).fold(0, |byte, (x, pixel)| byte | u8::from(pixel.mono.0) << (7 - x))
+                (0..)
+                    .zip(eight)
+                    .fold(0, |byte, (x, pixel)| byte | u8::from(pixel.mono.0) << (7 - x))
             };
             pixels.chunks(8).map(byte).collect()
         }

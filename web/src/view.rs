@@ -44,11 +44,8 @@ impl View {
     pub fn new() -> Self {
         let most = usize::from(MOST);
         let pixels = vec![0; most * most * 3].leak();
-        let memory = Memory {
-            pixels,
-            rows: vec![false; most].leak(),
-            above: vec![0; most + 2].leak(),
-        };
+        let memory =
+            Memory { pixels, rows: vec![false; most].leak(), above: vec![0; most + 2].leak() };
         Self {
             receiver: Receiver::new(memory, TIMING),
             header: None,

@@ -8,8 +8,8 @@ use scancsg::render::{
 };
 use scancsg::solid::{Cylinder, Painted, Sphere};
 use scancsg::stream::{
-    Delivery, FrameHeader, Patience, PixelFormat, Plain, Predictive, PredictiveMono, RowCoding, Sender,
-    Task, Wire, WirePixel, packet_capacity,
+    Delivery, FrameHeader, Patience, PixelFormat, Plain, Predictive, PredictiveMono, RowCoding,
+    Sender, Task, Wire, WirePixel, packet_capacity,
 };
 use std::time::{Duration, Instant};
 
@@ -43,7 +43,8 @@ impl Shown for Rgb565 {
     const DARK: Self = Self(0);
     type Short = Predictive<Self, WIDTH>;
     fn color(self) -> [u8; 3] {
-        let eight = |bits: u16, most: u16| (f32::from(bits) / f32::from(most) * 255.0).round() as u8;
+        let eight =
+            |bits: u16, most: u16| (f32::from(bits) / f32::from(most) * 255.0).round() as u8;
         [eight(self.0 >> 11, 31), eight(self.0 >> 5 & 63, 63), eight(self.0 & 31, 31)]
     }
     fn short() -> Self::Short {
@@ -76,7 +77,8 @@ impl Shown for Mono {
 /// The rows of a frame, and the colours of what is seen: a ball with a bore, from a little to the right in
 /// each frame.
 pub fn rows<P: Shown>(frame: u16) -> (Vec<Vec<P>>, Palette) {
-    let ball = Painted::new(Sphere::<f32>::new(vec3(0.0, 0.0, 0.0), 1.0).unwrap(), Rgb::new(230, 90, 60));
+    let ball =
+        Painted::new(Sphere::<f32>::new(vec3(0.0, 0.0, 0.0), 1.0).unwrap(), Rgb::new(230, 90, 60));
     let bore = Cylinder::<f32>::along_z(0.0, 0.0, 0.4, -2.0, 2.0).unwrap();
     let part = ball - Painted::new(bore, Rgb::new(80, 140, 230));
     let eye = vec3(1.0 + f32::from(frame), 0.8, 4.0);
