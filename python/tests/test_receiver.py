@@ -1,7 +1,10 @@
 """The package against bytes that no sender sends. `python3 -m unittest discover python/tests`"""
 
+import io
 import random
+import socket
 import struct
+import tempfile
 import unittest
 from zlib import crc32
 
@@ -124,6 +127,42 @@ class Receiving(unittest.TestCase):
                 receiver.answers()
         endless = self.receiver.receive(b"\x01" * 300_000, 0.0)
         self.assertEqual((endless, self.receiver.traffic.bad_packets), ([], 1))
+
+
+class Sources(unittest.TestCase):
+    LINE = header(5, 2, 1) + row(5, 0, b"ab") + end(5, [b"ab"])
+
+    def test_an_object_that_is_read(self) -> None:
+        source = io.BytesIO(self.LINE)
+        (frame,) = scancsg.frames(source)
+        self.assertEqual(frame.pixels.tolist(), [[97, 98]])
+        # Nothing was written into it.
+        self.assertEqual(source.getvalue(), self.LINE)
+
+    def test_an_object_that_is_written_gets_answers(self) -> None:
+        ends = socket.socketpair()
+        with ends[0], ends[1], ends[0].makefile("rwb") as near, ends[1].makefile("rwb") as far:
+            far.write(self.LINE)
+            far.flush()
+            ends[1].shutdown(socket.SHUT_WR)
+            (frame,) = scancsg.frames(near)
+            self.assertEqual((frame.id, far.read1(100)), (5, wire.ack(5)))
+
+    def test_a_file_on_disk_stays_as_it_is(self) -> None:
+        with tempfile.TemporaryFile() as file:
+            file.write(self.LINE)
+            file.seek(0)
+            self.assertEqual(len(list(scancsg.frames(file))), 1)
+            file.seek(0)
+            self.assertEqual(file.read(), self.LINE)
+
+    def test_no_port(self) -> None:
+        with self.assertRaises(OSError):
+            next(scancsg.frames("/nowhere/at/all"))
+
+    def test_bytes_but_no_packet(self) -> None:
+        with self.assertWarnsRegex(UserWarning, "no packet"):
+            self.assertEqual(list(scancsg.frames(io.BytesIO(bytes([7]) * 2000))), [])
 
 
 if __name__ == "__main__":

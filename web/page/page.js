@@ -101,6 +101,7 @@ class Gallery {
     this.rate.count();
     const name = $("scene").selectedOptions[0].textContent;
     canvas.ariaLabel = `The scene ${name}`;
+    $("save").disabled = false;
     canvas.ariaBusy = "false";
     say("Drawn in this browser");
     show({ "Drawn in": `${busy.toFixed(1)} ms`, "Frames/s": $("spin").checked ? this.rate.text : undefined });
@@ -188,6 +189,7 @@ class Receiving {
     if (bytes > 1000 && !packets) say("Bytes come, but no packet: is this the line's speed?");
     $("progress").value = height ? rows / height : 0;
     $("record").disabled = !this.recording.length;
+    $("save").disabled = !width;
     show({
       "Frames": grouped(complete),
       "Frames/s": this.rate.text,
@@ -343,6 +345,9 @@ function choose(source) {
   current = { stop() {} };
   show({});
   $("progress").value = 0;
+  $("record").disabled = $("save").disabled = true;
+  context.clearRect(0, 0, canvas.width, canvas.height);
+  canvas.ariaLabel = "No picture yet";
   if (source === "gallery") drawGallery();
   else say({ serial: "Not connected", file: "No recording yet", socket: "Not connected" }[source]);
 }

@@ -142,7 +142,7 @@ impl View {
             self.canvas.clear();
             self.canvas.resize(4 * usize::from(header.width) * usize::from(header.height), 0);
         }
-        self.canvas.iter_mut().skip(3).step_by(4).for_each(|opacity| *opacity = *opacity / 2);
+        self.canvas.iter_mut().skip(3).step_by(4).for_each(|opacity| *opacity /= 2);
         self.header = Some(header);
     }
 

@@ -12,8 +12,11 @@ use scancsg::render::{Gray8, Mono, Rgb565, Rgb888};
 use scancsg::stream::{Delivery, PixelFormat};
 use scancsg_web::draw::{Wish, draw, scenes};
 use serde_json::json;
-use std::io::ErrorKind;
+use serialport::{SerialPort, TTYPort};
+use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
 use std::net::TcpListener;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 use tungstenite::{Error, Message};
@@ -306,5 +309,78 @@ fn a_serial_port_brings_the_pixels_of_the_sender() {
     let deliveries = sender.join().unwrap();
     assert!(deliveries.iter().all(|delivery| matches!(delivery, Delivery::Acknowledged { .. })));
     browser.wait("document.querySelector('#status').textContent.startsWith('You disconnected')");
+    browser.close();
+}
+
+/// Passes bytes on from one port to another, until one is closed.
+fn pass_on(mut from: TTYPort, mut to: TTYPort) {
+    thread::spawn(move || {
+        let mut buffer = [0; 1024];
+        loop {
+            match from.read(&mut buffer) {
+                Ok(count) => to.write_all(&buffer[..count]).unwrap(),
+                Err(error) if error.kind() == ErrorKind::TimedOut => {}
+                Err(_) => break,
+            }
+        }
+    });
+}
+
+/// A program that ends with the test.
+struct Running(Child);
+
+impl Running {
+    fn example(name: &str, arguments: &[&str]) -> Self {
+        let examples = std::env::var_os("SCANCSG_EXAMPLES").expect("where the examples are");
+        let mut command = Command::new(Path::new(&examples).join(name));
+        command.args(arguments).stdout(Stdio::null()).stderr(Stdio::piped());
+        Self(command.spawn().unwrap())
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+#[test]
+#[ignore = "needs SCANCSG_PAGE, the page, SCANCSG_EXAMPLES, the examples, and Chromium"]
+fn view_serves_the_page_what_stream_sends() {
+    let [(sender, device), (receiver, port)] = [(), ()].map(|()| TTYPort::pair().unwrap());
+    pass_on(sender.try_clone_native().unwrap(), receiver.try_clone_native().unwrap());
+    pass_on(receiver, sender);
+    let (device_name, port_name) = (device.name().unwrap(), port.name().unwrap());
+    let mut browser = Browser::open("view", "");
+    let png = browser.folder().join("view.png").display().to_string();
+    let view = ["--port", &port_name, "--serve", "127.0.0.1:0", "--frames", "3", "--out", &png];
+    let mut view = Running::example("view", &view);
+    let said = BufReader::new(view.0.stderr.take().unwrap());
+    let mut lines = said.lines().map_while(Result::ok);
+    let address = lines.find_map(|line| Some(line.split_once("serving ")?.1.trim().to_owned()));
+    let address = address.expect("`view` says its address");
+    choose(&mut browser, "socket");
+    browser.value(&format!(
+        "document.querySelector('#address').value = '{address}';
+        document.querySelector('#open-socket').click()"
+    ));
+    browser.wait("document.querySelector('#status').textContent === 'Waiting for a frame'");
+
+    let arguments = "--scene knob --size 64x48 --format rgb565 --frames 3 --noise 0.001 --port";
+    let mut arguments: Vec<&str> = arguments.split(' ').collect();
+    arguments.push(&device_name);
+    let mut stream = Running::example("stream", &arguments);
+    browser.wait(&format!("{} === '3'", figure("Frames")));
+    let scene = scenes().iter().position(|[name, _]| name == "knob").unwrap();
+    let wish = Wish { scene, turn: 2.0 / 3.0, ..PLAIN };
+    let mut expected = vec![0; 4 * 64 * 48];
+    draw(wish, 0, &mut expected).unwrap();
+    assert!(browser.canvas() == (wish.size, expected));
+    assert!(stream.0.wait().unwrap().success());
+    // `view` ends with its last frame, and the page says so.
+    browser
+        .wait("document.querySelector('#status').textContent.includes('after 3 complete frames')");
+    assert!(view.0.wait().unwrap().success());
     browser.close();
 }

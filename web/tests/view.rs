@@ -34,15 +34,15 @@ fn every_format_is_shown() {
 fn missing_rows_show_the_frame_before_half_transparent() {
     let mut view = View::new();
     news(&mut view, &recording::<Gray8>(0..1));
-    let mut second = recording::<Gray8>(1..2);
-    // Some packet in the middle.
+    let mut second = recording::<Gray8>(2..3);
+    // Some packet in the middle, of a row.
     let middle = second.len() / 2;
     second[middle] ^= 0x10;
     assert_eq!(news(&mut view, &second), [News::Started]);
     let missing = parts::SIZE[1] - view.rows_received();
     assert_eq!((missing, view.traffic().bad_packets), (1, 1));
     let width = 4 * usize::from(parts::SIZE[0]);
-    let (before, now) = (canvas::<Gray8>(0), canvas::<Gray8>(1));
+    let (before, now) = (canvas::<Gray8>(0), canvas::<Gray8>(2));
     let rows = view.canvas().chunks(width).zip(before.chunks(width)).zip(now.chunks(width));
     let faint = rows.filter(|((shown, before), now)| {
         let is_faint = shown.chunks(4).all(|pixel| pixel[3] == 127);
@@ -53,6 +53,6 @@ fn missing_rows_show_the_frame_before_half_transparent() {
     // It asks for the row at once, and the next frame loses this one.
     assert!(view.next_answer());
     assert!(!view.answer().is_empty());
-    news(&mut view, &recording::<Gray8>(2..3));
+    news(&mut view, &recording::<Gray8>(3..4));
     assert_eq!(view.frames(), [2, 1]);
 }

@@ -2,6 +2,7 @@
 
 use crate::paths::root;
 use crate::toolchain::{self, WEB, has_program};
+use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -71,13 +72,23 @@ fn test(page: &Path) -> Result<(), String> {
                     On Debian: `apt-get install --no-install-recommends chromium`"
             .to_owned());
     }
-    let mut test = Command::new("cargo");
-    test.args(["test", "--package", "scancsg-web", "--test", "view", "--test", "page"])
-        .args(["--", "--include-ignored"])
-        .current_dir(root())
-        .env("SCANCSG_PAGE", page);
-    let status = test.status().map_err(|error| error.to_string())?;
-    if status.success() { Ok(()) } else { Err(format!("{test:?}: {status}")) }
+    let cargo = |words: &str| {
+        let mut command = Command::new("cargo");
+        command.args(words.split(' ')).current_dir(root());
+        command
+    };
+    let target =
+        env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
+    let mut examples = cargo("build --package examples --example stream --example view");
+    let mut test = cargo("test --package scancsg-web --test view --test page -- --include-ignored");
+    test.env("SCANCSG_PAGE", page).env("SCANCSG_EXAMPLES", target.join("debug/examples"));
+    for command in [&mut examples, &mut test] {
+        let status = command.status().map_err(|error| format!("{command:?}: {error}"))?;
+        if !status.success() {
+            return Err(format!("{command:?}: {status}"));
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]
