@@ -15,6 +15,7 @@
 //! | choose a number type: `f32`, fixed point, `f64` on hosts | [`scalar`] |
 //! | read lists of spans, or walk a boolean tree of your own | [`span`] |
 //! | see how a picture scans a solid, or bound one | [`scan`] |
+//! | draw on other crates' displays, use their vectors | [`interop`] |
 //! | put a part into flash, and check it while compiling | [`constant!`] |
 //!
 //! ```
@@ -70,6 +71,7 @@ extern crate std;
 mod error;
 pub mod geom;
 pub mod inspect;
+pub mod interop;
 mod numeric;
 mod primitive;
 mod quadric;

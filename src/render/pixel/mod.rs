@@ -7,6 +7,7 @@
 //! level and the colour alone, not on the number type of the scene.
 
 mod blend;
+mod bytes;
 mod gray8;
 mod level;
 mod mono;
@@ -14,6 +15,7 @@ mod rgb565;
 mod rgb888;
 
 pub use blend::{Blend, mean};
+pub use bytes::Rgb565Be;
 pub use gray8::Gray8;
 pub use level::{narrow, scale};
 pub use mono::Mono;
