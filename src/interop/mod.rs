@@ -9,3 +9,6 @@
 
 #[cfg(feature = "embedded-graphics")]
 pub mod embedded_graphics;
+mod error;
+
+pub use error::Error;
