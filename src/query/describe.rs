@@ -9,6 +9,11 @@ use crate::span::{Face, Shape, SpanStack};
 /// Implement it for a solid of your own, wrap that in a [`ByLine`](crate::solid::ByLine), and it can be
 /// combined, traced and rendered like the crate's solids. There is an example at
 /// [`ByLine`](crate::solid::ByLine).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a solid",
+    label = "not a solid",
+    note = "all parts of a solid are solids, and of one number type"
+)]
 pub trait Solid: Shape {
     /// Pushes the spans of the line with the solid, in ascending order and regularised (every span
     /// has a length, and there is a gap between any two), with faces counted from `first` on.

@@ -60,6 +60,14 @@ impl ColumnRun {
 ///
 /// [`contains`](Self::contains) and [`step`](Self::step) walk along the ray from crossing to crossing.
 /// The crossings are those of the merged list of all leaves' spans, bit for bit.
+#[diagnostic::on_unimplemented(
+    message = "a camera with the rays `{R}` can't take a picture of `{Self}`",
+    label = "no solid that this camera can see",
+    note = "a part, its camera, its light and its rays have one number type: all `f32`, say, or all `I16F16`",
+    note = "a function that takes any part asks for what pictures need: \
+            `part: &(impl Solid<Scalar = f32> + Scan<OrthographicRays<f32>>)`",
+    note = "a solid of your own is wrapped: `ByLine::<_, SPANS>::new(solid)`"
+)]
 pub trait Scan<R>: Shape {
     /// What the camera decides.
     type View: Empty;

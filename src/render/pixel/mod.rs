@@ -54,6 +54,11 @@ use crate::solid::Rgb;
 /// assert_eq!(row, [false, true, true, false].map(Lit));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a pixel",
+    label = "not a pixel",
+    note = "pixels are `Gray8`, `Mono`, `Rgb565`, `Rgb565Be`, `Rgb888`, or a type of yours that implements `Pixel`"
+)]
 pub trait Pixel: Copy {
     /// The pixel of a surface of this colour, lit with `level` (0 dark to 255 full).
     fn shaded(color: Rgb, level: u8) -> Self;

@@ -65,6 +65,7 @@ impl<T: Shape> Wrap for &T {
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<W: Wrap> Shape for W {
     type Scalar = <W::Inner as Shape>::Scalar;
     const SPANS: usize = W::Inner::SPANS;
@@ -72,6 +73,7 @@ impl<W: Wrap> Shape for W {
     const FACES: u16 = W::Inner::FACES;
 }
 
+#[diagnostic::do_not_recommend]
 impl<W: Wrap<Inner: Solid>> Solid for W {
     #[inline]
     fn spans(
@@ -132,6 +134,7 @@ impl<W: Wrap<Inner: Solid>> Solid for W {
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<R, W> Scan<R> for W
 where
     W: Wrap<Inner: Scan<R>>,
