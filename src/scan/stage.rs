@@ -27,6 +27,7 @@ impl<A: Empty, B: Empty> Empty for (A, B) {
 
 /// Columns in which nothing changes but the ray: from the one that was entered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ColumnRun {
     /// Whether the solid may be seen.
     pub is_visible: bool,

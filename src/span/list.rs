@@ -169,6 +169,24 @@ impl<S> SpanStack<'_, S> {
     }
 }
 
+/// A list is logged as its spans.
+#[cfg(feature = "defmt")]
+mod logged {
+    use super::{SpanList, SpanStack};
+
+    impl<S: defmt::Format, const N: usize> defmt::Format for SpanList<S, N> {
+        fn format(&self, f: defmt::Formatter<'_>) {
+            defmt::write!(f, "{=[?]}", self.spans.as_slice());
+        }
+    }
+
+    impl<S: defmt::Format> defmt::Format for SpanStack<'_, S> {
+        fn format(&self, f: defmt::Formatter<'_>) {
+            defmt::write!(f, "{=[?]}", self.spans.as_slice());
+        }
+    }
+}
+
 /// A list of spans has no room left.
 ///
 /// It can't happen to the crate's own solids, whose need of room is a constant of their types.

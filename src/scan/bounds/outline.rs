@@ -114,6 +114,7 @@ pub trait Silhouette {
 
 /// Every pixel: the silhouette of what has no bounds, or of rays that know none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Anywhere;
 
 impl Empty for Anywhere {
@@ -143,6 +144,7 @@ impl<T: Silhouette> Silhouette for Option<T> {
 
 /// A rectangle in the image plane.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rectangle {
     rows: Rows,
     columns: Steps,

@@ -69,6 +69,7 @@ use crate::span::{Face, Shape, Span, SpanList, SpanStack, check_room};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ByLine<T, const N: usize = 1> {
     solid: T,
 }
