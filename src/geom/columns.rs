@@ -61,6 +61,7 @@ impl<T: Real> Affine<T> {
 /// The columns, from `start` to before `end`, outside of which a solid can't be seen in a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Extent {
     /// The first column.
     pub start: u32,

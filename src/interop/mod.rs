@@ -4,11 +4,13 @@
 //! |---|---|
 //! | `embedded-graphics` | draws pictures into any `DrawTarget`, in its colours |
 //! | `mint` | turns vectors into those of `mint`, and back |
-//! | `serde` | serialises vectors, poses, sizes, pixels and results |
+//! | `serde` | serialises vectors, lines, sizes, colours, pixels, spans, hits and errors |
 //! | `defmt` | logs every public type that holds data |
 
 #[cfg(feature = "embedded-graphics")]
 pub mod embedded_graphics;
 mod error;
+#[cfg(feature = "mint")]
+pub mod mint;
 
 pub use error::Error;

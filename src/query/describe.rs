@@ -70,6 +70,7 @@ pub trait Solid: Shape {
 /// Where a format has fewer bits, channels are rounded to the nearest level.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Rgb {
     /// Red, 0..=255.
     pub r: u8,

@@ -7,6 +7,7 @@ use core::ops::Range;
 /// two-level rendition of continuous-tone pictures*, ICC 1973).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Bayer {
     /// 4 × 4 pixels: 17 shades, in a fine texture.

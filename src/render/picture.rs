@@ -154,6 +154,7 @@ fn from_middle(index: u32, count: u16) -> i32 {
 /// Columns next to each other that are rendered together.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Run {
     /// The columns.
     pub columns: Range<u16>,

@@ -192,6 +192,7 @@ mod logged {
 /// It can't happen to the crate's own solids, whose need of room is a constant of their types.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StackFull;
 
 impl StackFull {

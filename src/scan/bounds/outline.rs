@@ -18,6 +18,7 @@ use crate::scan::Empty;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Bounds<S> {
     /// Nothing is known, or the solid has no end.
