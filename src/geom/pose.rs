@@ -3,7 +3,7 @@
 use super::direction::{Axis, Direction};
 use super::ray::Line;
 use super::vec3::{Vec3, vec3};
-use crate::scalar::{Number, Real, Scalar};
+use crate::scalar::{ConstOps, Number, Real, Scalar, per_scalar};
 
 /// A rotation followed by a translation: where a solid's own frame lies in the scene.
 ///
@@ -229,6 +229,63 @@ impl<S: Scalar> Pose<S> {
         }
     }
 }
+
+per_scalar! { $S: impl[] Pose<$S> {
+    /// Quarter turns about a coordinate axis, as many as `count`, in the direction of
+    /// [`rotation_x`](Self::rotation_x) and its like. It is exact, and there are no angles to be typed.
+    ///
+    /// ```
+    /// use scancsg::constant;
+    /// use scancsg::geom::{Axis, Pose, vec3};
+    ///
+    /// const UPRIGHT: Pose<f32> =
+    ///     constant!(Pose::<f32>::quarter_turns(Axis::Z, 1).shifted(vec3(0.0, 0.0, 3.0)));
+    /// assert_eq!(UPRIGHT.point(vec3(2.0, 0.0, 0.0)), vec3(0.0, 2.0, 3.0));
+    /// ```
+    #[must_use]
+    pub const fn quarter_turns(axis: Axis, count: i32) -> Self {
+        type Ops<S> = ConstOps<<S as Scalar>::Unit>;
+        let (zero, one) = (Ops::<$S>::ZERO, Ops::<$S>::ONE);
+        let minus = Ops::<$S>::difference(zero, one);
+        let (sin, cos) = match count.rem_euclid(4) {
+            0 => (zero, one),
+            1 => (one, zero),
+            2 => (zero, minus),
+            _ => (minus, zero),
+        };
+        let back = Ops::<$S>::difference(zero, sin);
+        let axes = match axis {
+            Axis::X => [[one, zero, zero], [zero, cos, sin], [zero, back, cos]],
+            Axis::Y => [[cos, zero, back], [zero, one, zero], [sin, zero, cos]],
+            Axis::Z => [[cos, sin, zero], [back, cos, zero], [zero, zero, one]],
+        };
+        let [[a, b, c], [d, e, f], [g, h, i]] = axes;
+        let axes = [vec3(a, b, c), vec3(d, e, f), vec3(g, h, i)];
+        Self { axes, translation: Vec3::ZERO }
+    }
+
+    /// Half a turn about a coordinate axis: exact.
+    #[must_use]
+    pub const fn half_turn(axis: Axis) -> Self {
+        Self::quarter_turns(axis, 2)
+    }
+
+    /// This pose first, then a shift: what [`then`](Self::then) does with a translation, for constants.
+    ///
+    /// # Errors
+    /// [`PoseError::NotFinite`], [`PoseError::TooFar`].
+    pub const fn shifted(self, by: Vec3<$S>) -> Result<Self, PoseError> {
+        type Ops<S> = ConstOps<S>;
+        let Vec3 { x, y, z } = self.translation;
+        let translation =
+            vec3(Ops::<$S>::sum(x, by.x), Ops::<$S>::sum(y, by.y), Ops::<$S>::sum(z, by.z));
+        match () {
+            () if !by.has_finite_coordinates() => Err(PoseError::NotFinite),
+            () if !translation.is_within_reach() => Err(PoseError::TooFar),
+            () => Ok(Self { axes: self.axes, translation }),
+        }
+    }
+} }
 
 impl<S: Scalar> Pose<S> {
     /// As [`line_back`](Self::line_back), with its parameter counted from about the point nearest to `near`,

@@ -14,7 +14,7 @@ use embedded_graphics::primitives::{PrimitiveStyle, Rectangle};
 use embedded_graphics::text::Text;
 use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay};
 use scancsg::constant;
-use scancsg::geom::vec3;
+use scancsg::geom::{Axis, vec3};
 use scancsg::interop::embedded_graphics::draw;
 use scancsg::render::{self, Bayer, Dithered, Gray8, Lambert, Mono, Perspective, Picture, Rgb};
 use scancsg::solid::{Cylinder, Difference, Painted, Union};
@@ -25,13 +25,13 @@ type Knob = Difference<Union<Cylinder<f32>, Cylinder<f32>>, Painted<[Cylinder<f3
 
 const KNOB: Knob = Difference::new(
     Union::new(
-        constant!(Cylinder::<f32>::along_y(0.0, 0.0, 1.0, -0.4, 0.0)),
-        constant!(Cylinder::<f32>::along_y(0.0, 0.0, 0.7, 0.0, 0.6)),
+        constant!(Cylinder::<f32>::spanning(Axis::Y, -0.4..0.0, [0.0, 0.0], 1.0)),
+        constant!(Cylinder::<f32>::spanning(Axis::Y, 0.0..0.6, [0.0, 0.0], 0.7)),
     ),
     Painted::new(
-        [
-            constant!(Cylinder::<f32>::along_y(0.0, 0.0, 0.25, -1.0, 1.0)),
-            constant!(Cylinder::<f32>::along_y(0.0, 0.5, 0.1, 0.5, 1.0)),
+        constant![
+            Cylinder::<f32>::spanning(Axis::Y, -1.0..1.0, [0.0, 0.0], 0.25),
+            Cylinder::<f32>::spanning(Axis::Y, 0.5..1.0, [0.0, 0.5], 0.1),
         ],
         Rgb::new(235, 175, 70),
     ),
