@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use core::fmt::Debug;
-use scancsg::geom::{Axis, Extent, Line, vec3};
+use scancsg::geom::{Axis, Extent, Line, Pose, Vec3, vec3};
 use scancsg::render::{Bayer, Gray8, Mono, Rgb, Rgb565, Rgb888, RowError, Run, Size};
 use scancsg::scalar::{I16F16, Scalar};
 use scancsg::solid::{Bounds, CylinderError, Hit, RayCast, Seen, Sphere, WallHit};
@@ -38,6 +38,46 @@ fn of_scalars<S: Scalar + Serialize + DeserializeOwned>() {
     let hit: Hit<S> = ball.hit(&ray, &mut SpanList::<_, 1>::new()).unwrap();
     round_trip(hit);
     let _ = round_trip::<WallHit<S>>;
+}
+
+/// The numbers of a pose: its axes, then its shift.
+type Parts<S> = ([Vec3<<S as Scalar>::Unit>; 3], Vec3<S>);
+
+fn poses<S: Scalar + Serialize + DeserializeOwned>()
+where
+    S::Unit: Serialize + DeserializeOwned,
+{
+    let n = |tenths| S::from_ratio(tenths, 10);
+    let step = Pose::about(vec3(n(1), n(-20), n(12)), n(7)).unwrap();
+    let step = step.around(vec3(n(31), n(2), n(-7))).unwrap();
+    let mut pose = Pose::<S>::IDENTITY;
+    for _ in 0..1000 {
+        round_trip(pose);
+        pose = pose.then(&step).unwrap();
+    }
+    let mut memory = [0; 128];
+    let bytes = postcard::to_slice(&pose, &mut memory).unwrap();
+    let (axes, translation): Parts<S> = postcard::from_bytes(bytes).unwrap();
+    let is_pose = |parts: Parts<S>| {
+        let mut memory = [0; 128];
+        let bytes = postcard::to_slice(&parts, &mut memory).unwrap();
+        postcard::from_bytes::<Pose<S>>(bytes).is_ok()
+    };
+    let [x, y, z] = axes;
+    assert!(is_pose((axes, translation)));
+    assert!(is_pose(([y, z, x], translation)), "another right-handed frame");
+    assert!(!is_pose(([y, x, z], translation)), "a mirror");
+    assert!(!is_pose(([x, y, y], translation)), "a projection");
+    assert!(!is_pose(([Vec3::ZERO; 3], translation)), "nothing");
+    assert!(!is_pose(([x + x, y, z], translation)), "stretched");
+    assert!(!is_pose((axes, vec3(S::HIGHEST, n(0), n(0)))), "too far");
+}
+
+#[test]
+fn poses_stay_rigid() {
+    poses::<f32>();
+    poses::<f64>();
+    poses::<I16F16>();
 }
 
 #[test]

@@ -17,6 +17,18 @@ use crate::scalar::{ConstOps, Number, Real, Scalar, per_scalar};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        try_from = "Parts<S>",
+        into = "Parts<S>",
+        bound(
+            serialize = "S: serde::Serialize, S::Unit: serde::Serialize",
+            deserialize = "S: serde::Deserialize<'de>, S::Unit: serde::Deserialize<'de>"
+        )
+    )
+)]
 pub struct Pose<S: Scalar> {
     /// The images of the three axes: an orthonormal, right-handed frame.
     axes: [Vec3<S::Unit>; 3],
@@ -32,6 +44,8 @@ crate::error_text! {
         TooFar => "the pose shifts too far for its number type",
         /// The axis of a turn is zero.
         ZeroAxis => "the axis of the turn is zero",
+        /// The axes of a pose that was deserialised are no right-handed frame of unit vectors.
+        NotRigid => "the axes of the pose are no right-handed frame of unit vectors",
     }
 }
 
@@ -329,4 +343,45 @@ fn turn<S: Scalar>(angle: S) -> Result<Turn<S>, PoseError> {
     }
     let (sin, cos) = angle.wide().sin_cos();
     Ok((S::unit(sin), S::unit(cos), Pose::<S>::IDENTITY.axes))
+}
+
+/// A pose as it is serialised: with all its bits.
+#[cfg(feature = "serde")]
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(bound(
+    serialize = "S: serde::Serialize, S::Unit: serde::Serialize",
+    deserialize = "S: serde::Deserialize<'de>, S::Unit: serde::Deserialize<'de>"
+))]
+struct Parts<S: Scalar> {
+    axes: [Vec3<S::Unit>; 3],
+    translation: Vec3<S>,
+}
+
+#[cfg(feature = "serde")]
+impl<S: Scalar> From<Pose<S>> for Parts<S> {
+    fn from(Pose { axes, translation }: Pose<S>) -> Self {
+        Self { axes, translation }
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<S: Scalar> TryFrom<Parts<S>> for Pose<S> {
+    type Error = PoseError;
+
+    fn try_from(Parts { axes, translation }: Parts<S>) -> Result<Self, PoseError> {
+        if !(translation.is_finite() && axes.iter().all(|axis| axis.is_finite())) {
+            return Err(PoseError::NotFinite);
+        }
+        let [x, y, z] = axes.map(|axis| axis.map(S::wide_unit));
+        // Poses are off by a few units of `f32`, or of 2⁻²⁸ in fixed point.
+        let bound = S::Wide::ONE / S::Wide::from_int(1 << 20);
+        let is_near = |(a, b, want): (Vec3<S::Wide>, _, _)| (a.dot(b) - want).abs() < bound;
+        let (zero, one) = (S::Wide::ZERO, S::Wide::ONE);
+        let products =
+            [(x, x, one), (y, y, one), (z, z, one), (x, y, zero), (y, z, zero), (z, x, zero)];
+        if !(products.into_iter().all(is_near) && x.cross(y).dot(z) > zero) {
+            return Err(PoseError::NotRigid);
+        }
+        Self { axes, translation }.checked()
+    }
 }

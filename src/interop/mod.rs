@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `embedded-graphics` | draws pictures into any `DrawTarget`, in its colours |
 //! | `mint` | turns vectors into those of `mint`, and back |
-//! | `serde` | serialises vectors, lines, sizes, colours, pixels, spans, hits and errors |
+//! | `serde` | serialises vectors, lines, poses, sizes, colours, pixels, spans, hits and errors |
 //! | `defmt` | logs every public type that holds data |
 
 #[cfg(feature = "embedded-graphics")]
