@@ -15,6 +15,8 @@
 //! | choose a number type: `f32`, fixed point, `f64` on hosts | [`scalar`] |
 //! | read lists of spans, or walk a boolean tree of your own | [`span`] |
 //! | see how a picture scans a solid, or bound one | [`scan`] |
+//! | draw on other crates' displays, use their vectors | [`interop`] |
+//! | hand up errors of all kinds with `?` | [`Error`] |
 //! | put a part into flash, and check it while compiling | [`constant!`] |
 //!
 //! ```
@@ -70,6 +72,7 @@ extern crate std;
 mod error;
 pub mod geom;
 pub mod inspect;
+pub mod interop;
 mod numeric;
 mod primitive;
 mod quadric;
@@ -83,6 +86,7 @@ pub mod spline;
 pub mod stream;
 
 pub(crate) use error::error_text;
+pub use interop::Error;
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

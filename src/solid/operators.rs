@@ -15,7 +15,11 @@ macro_rules! operators {
         operators! { Sub, sub, Difference, [$($generics)*] $Solid }
     )+};
     ($Operator:ident, $operator:ident, $Output:ident, [$($generics:tt)*] $Solid:ty) => {
-        impl<$($generics)*, Right> $Operator<Right> for $Solid {
+        impl<$($generics)*, Right> $Operator<Right> for $Solid
+        where
+            $Solid: Shape,
+            Right: Shape<Scalar = <$Solid as Shape>::Scalar>,
+        {
             type Output = $Output<Self, Right>;
             fn $operator(self, right: Right) -> Self::Output {
                 Boolean::new(self, right)

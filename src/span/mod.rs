@@ -7,6 +7,7 @@
 
 mod list;
 mod merge;
+mod room;
 mod shape;
 #[allow(clippy::module_inception)]
 mod span;
@@ -14,5 +15,6 @@ pub mod walk;
 
 pub use list::{SpanList, SpanStack, StackFull};
 pub use merge::{Operation, merge};
+pub(crate) use room::check_room;
 pub use shape::Shape;
 pub use span::{Crossing, Face, Span};

@@ -11,6 +11,7 @@ use crate::scalar::Scalar;
 
 /// What lies behind some parameter of a ray.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Step<S> {
     /// Whether the ray is inside just behind the parameter.
     pub inside: bool,
@@ -41,10 +42,12 @@ pub trait Path: sealed::Sealed {
 
 /// The path of most pixels: inlined.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Hot {}
 
 /// The path of few pixels: a call.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Cold {}
 
 mod sealed {
@@ -63,6 +66,7 @@ impl Path for Cold {
 
 /// One of two operands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Side {
     /// The left one.
     Left,
