@@ -9,7 +9,7 @@ use crate::solid::{
 };
 use crate::span::StackFull;
 use crate::spline::{CurveError, EvaluateError, FlattenError, KnotError, SweepError};
-use crate::stream::{EncodeError, PacketError, ReceiveError, UnpackError};
+use crate::stream::{EncodeError, LineError, PacketError, ReceiveError, ServeError, UnpackError};
 
 macro_rules! errors {
     ($(#[$about:meta])* { $($(#[$when:meta])* $Variant:ident($Error:ident),)+ }) => {
@@ -44,7 +44,8 @@ errors! {
     /// Any error of the crate, for functions that do several things: `?` turns each error into this one.
     ///
     /// It is two or three bytes, copied at will. Operations themselves have errors of their own, which say
-    /// less and so are easier to handle. What holds an error of a serial line, or of a display, isn't here.
+    /// less and so are easier to handle. Of a [`ServeError`] it keeps how the line failed, and not the line's own
+    /// error. A display's error isn't here.
     ///
     /// ```
     /// use scancsg::geom::vec3;
@@ -95,6 +96,8 @@ errors! {
         HalfSpace(HalfSpaceError),
         /// Of knots.
         Knot(KnotError),
+        /// Of a line.
+        Line(LineError),
         /// Of a union of many solids.
         Many(ManyError),
         /// Of a volume or a moment.
@@ -141,3 +144,15 @@ impl core::fmt::Display for Error {
 }
 
 impl core::error::Error for Error {}
+
+impl<E> From<ServeError<E>> for Error {
+    fn from(error: ServeError<E>) -> Self {
+        match error {
+            ServeError::Render(error) => error.into(),
+            ServeError::Encode(error) => error.into(),
+            ServeError::Write(_) => LineError::Write.into(),
+            ServeError::Read(_) => LineError::Read.into(),
+            ServeError::Closed => LineError::Closed.into(),
+        }
+    }
+}
