@@ -186,7 +186,7 @@ fn step_inlined<S: Scalar>(mut of: impl Operands<S>, t: S) -> Step<S> {
     if operation.contains(true, in_right) {
         return Step { inside: false, next: left.next };
     }
-    of.outlined(t, |of, t| Step { inside: false, next: next_of_right(of, t) })
+    Step { inside: false, next: of.outlined(t, next_of_right) }
 }
 
 /// The first crossing behind `t`, where the ray is inside the left operand and the right one keeps it
