@@ -206,7 +206,7 @@ fn every_part_is_sent_again_that_is_asked_for() {
     assert_eq!(served.scene.rendered, usize::from(HEIGHT) + 1 + 4);
     assert_eq!(served.looks, 0);
 
-    // All at once.
+    // All at once, and rows in whatever order.
     let mut asked = false;
     let served = self::served(|_| {
         let parts = [Part::Header, rows(4, 1), Part::End, rows(2, 1)];
@@ -217,9 +217,12 @@ fn every_part_is_sent_again_that_is_asked_for() {
     });
     assert_eq!(served.delivery, Ok(Delivery::Acknowledged { repairs: 4 }));
     let last = &packets[5];
-    let repairs = [header, last, third, end].map(Clone::clone).concat();
-    assert_eq!(served.line.sent, [packets.concat(), repairs].concat());
-    assert_eq!(served.scene.rendered, usize::from(HEIGHT) + 1);
+    let sent = |rows: [&Vec<u8>; 2]| {
+        let repairs = [header, rows[0], rows[1], end].map(Clone::clone).concat();
+        served.line.sent == [packets.concat(), repairs].concat()
+    };
+    assert!(sent([third, last]) || sent([last, third]), "{:?}", served.line.sent);
+    assert!(served.scene.rendered <= usize::from(HEIGHT) + 2);
 }
 
 /// A receiver at the other end, behind a line that loses the first copy of some packets and puts

@@ -16,11 +16,13 @@ mod scene;
 
 // The coder, as it is: its insides are of no use to a user of the library.
 #[path = "../../src/stream/codec/predictive/alphabet.rs"]
+#[allow(dead_code)]
 mod alphabet;
 #[path = "../../src/stream/codec/predictive/model.rs"]
 #[allow(dead_code)]
 mod model;
 #[path = "../../src/stream/codec/predictive/palette.rs"]
+#[allow(dead_code)]
 mod palette;
 #[path = "../../src/stream/codec/predictive/range.rs"]
 #[allow(dead_code)]
@@ -106,13 +108,13 @@ fn encode<A: Alphabet>(
             let held = decisions.len();
             let encoder = Encoder::resume(&mut model, interval, &mut out);
             let mut coder = Watched { encoder, decisions: &mut decisions };
-            let left = rows::code(&mut coder, &mut alphabet, &mut above, &mut Source(row), from);
+            rows::code(&mut coder, &mut alphabet, &mut above, &mut Source(row), from);
             let Some(end) = coder.encoder.fits() else {
                 decisions.truncate(held);
                 break;
             };
             interval = end;
-            from = Start { left, is_first: false };
+            from = Start { left: row.first().copied().unwrap_or(from.left), is_first: false };
             count += 1;
             rows.next();
         }

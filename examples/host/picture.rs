@@ -44,7 +44,12 @@ fn color_cube([r, g, b]: [u8; 3]) -> u8 {
             _ => 232 + (r - 4) / 10 % 24,
         };
     }
-    let [r, g, b] = [r, g, b].map(|channel| ((u16::from(channel) * 5 + 127) / 255) as u8);
+    // The levels of the cube are 0, 95, 135, 175, 215, 255.
+    let [r, g, b] = [r, g, b].map(|channel| match channel {
+        0..48 => 0,
+        48..115 => 1,
+        _ => (channel - 35) / 40,
+    });
     16 + 36 * r + 6 * g + b
 }
 

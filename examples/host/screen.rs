@@ -26,6 +26,11 @@ impl Screen {
         self.term.is_term() && self.drawn.is_none_or(|drawn| drawn.elapsed() >= PAUSE)
     }
 
+    /// Whether anything is drawn.
+    pub fn is_terminal(&self) -> bool {
+        self.term.is_term()
+    }
+
     /// The terminal's width.
     pub fn columns(&self) -> usize {
         usize::from(self.term.size().1).max(20)

@@ -1,17 +1,24 @@
 //! A line that is slow, flips bits and breaks.
 
 use super::port::{Heard, Port};
+use scancsg::stream::faults::{Faults, Line};
 use std::io::{self, ErrorKind};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// What a line does to the bytes that are written into it.
+/// Small pieces are written, so that a slow line is slow all the time and not packet by packet.
+const PIECE: usize = 16;
+
+/// The same faults in every run.
+const SEED: u64 = 1;
+
+/// What is wrong with a line.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Faults {
+pub struct Trouble {
     /// Bits per second, ten for a byte; as fast as it goes without.
     pub baud: Option<u32>,
     /// The share of bytes in which a bit is flipped.
-    pub noise: f64,
+    pub noise: f32,
     /// The line closes after so many bytes.
     pub cut_after: Option<u64>,
 }
@@ -19,24 +26,45 @@ pub struct Faults {
 /// A port behind a line with faults.
 pub struct Wire {
     port: Box<dyn Port>,
-    faults: Faults,
-    written: u64,
+    trouble: Trouble,
+    line: Line<PIECE>,
+    /// What has come out of the line and waits for room in the port, and what went in for that.
+    piece: Vec<u8>,
+    taken: usize,
     free_at: Instant,
-    random: u32,
 }
 
 impl Wire {
     /// Puts a line between the writer and the port.
-    pub fn new(port: Box<dyn Port>, faults: Faults) -> Self {
-        Self { port, faults, written: 0, free_at: Instant::now(), random: 0x2545_F491 }
+    pub fn new(port: Box<dyn Port>, trouble: Trouble) -> Self {
+        let line = Line::new(Faults { flipped: trouble.noise, ..Faults::NONE }, SEED);
+        Self { port, trouble, line, piece: Vec::new(), taken: 0, free_at: Instant::now() }
     }
 
-    /// Marsaglia's 32-bit xorshift: the same noise in every run.
-    fn next_random(&mut self) -> u32 {
-        self.random ^= self.random << 13;
-        self.random ^= self.random >> 17;
-        self.random ^= self.random << 5;
-        self.random
+    /// Brings the next piece through the line.
+    fn carry(&mut self, bytes: &[u8]) -> io::Result<()> {
+        let left =
+            self.trouble.cut_after.map(|limit| limit.saturating_sub(self.line.counts().bytes));
+        if left == Some(0) {
+            // What is on the line arrives, though a pseudo-terminal that closes may throw away what
+            // nobody has read yet.
+            thread::sleep(Duration::from_millis(500));
+            return Err(ErrorKind::BrokenPipe.into());
+        }
+        let most = left.and_then(|left| usize::try_from(left).ok()).unwrap_or(PIECE).min(PIECE);
+        let bytes = bytes.get(..most).unwrap_or(bytes);
+        for byte in bytes {
+            self.line.push(*byte, 0);
+            self.piece.extend(self.line.pop(0));
+        }
+        self.taken = bytes.len();
+        if let Some(baud) = self.trouble.baud {
+            let now = Instant::now();
+            thread::sleep(self.free_at.saturating_duration_since(now));
+            let busy = Duration::from_secs_f64(10.0 * bytes.len() as f64 / f64::from(baud));
+            self.free_at = self.free_at.max(now) + busy;
+        }
+        Ok(())
     }
 }
 
@@ -45,36 +73,16 @@ impl Port for Wire {
         self.port.read(buffer, wait)
     }
 
+    /// Takes in a piece. If there is no room for all of it, the same bytes are to be written again.
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        // Small pieces, so that a slow line is slow all the time and not packet by packet.
-        let mut piece: Vec<u8> = bytes.iter().take(16).copied().collect();
-        if let Some(limit) = self.faults.cut_after {
-            let left = usize::try_from(limit - self.written.min(limit)).unwrap_or(usize::MAX);
-            piece.truncate(left);
-            if piece.is_empty() && !bytes.is_empty() {
-                // What is on the line arrives, though a pseudo-terminal that closes may throw away what
-                // nobody has read yet.
-                thread::sleep(Duration::from_millis(500));
-                return Err(ErrorKind::BrokenPipe.into());
-            }
+        if self.taken == 0 && !bytes.is_empty() {
+            self.carry(bytes)?;
         }
-        if self.faults.noise > 0.0 {
-            for byte in &mut piece {
-                let (chance, bit) = (self.next_random(), self.next_random());
-                if f64::from(chance) < self.faults.noise * f64::from(u32::MAX) {
-                    *byte ^= 1 << (bit >> 29);
-                }
-            }
+        while !self.piece.is_empty() {
+            let count = self.port.write(&self.piece)?;
+            self.piece.drain(..count.min(self.piece.len()));
         }
-        if let Some(baud) = self.faults.baud {
-            let now = Instant::now();
-            thread::sleep(self.free_at.saturating_duration_since(now));
-            let busy = Duration::from_secs_f64(10.0 * piece.len() as f64 / f64::from(baud));
-            self.free_at = self.free_at.max(now) + busy;
-        }
-        let count = self.port.write(&piece)?;
-        self.written += count as u64;
-        Ok(count)
+        Ok(std::mem::take(&mut self.taken))
     }
 
     fn flush(&mut self) -> io::Result<()> {

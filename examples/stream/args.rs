@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use std::sync::LazyLock;
 
 const EXIT_CODES: &str = "\
-Exit codes: 0 all frames are whole and acknowledged, 1 something failed, 2 wrong options,
+Exit codes: 0 all frames are whole and acknowledged, 1 something failed, 2 wrong options, \
 3 a frame is incomplete or not acknowledged.";
 
 /// Render a part row by row, send it through a serial line, and put it together at the other end.
@@ -51,6 +51,11 @@ pub struct Args {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=16))]
     pub smooth: Option<u16>,
 
+    /// How rows are coded: several together, each pixel predicted from its neighbours, or each row for
+    /// itself, in runs of equal pixels
+    #[arg(long, value_enum, default_value_t = Coding::Predictive)]
+    pub coding: Coding,
+
     /// How many frames; all of them together are one turn
     #[arg(long, value_name = "N", default_value_t = 1,
           value_parser = clap::value_parser!(u16).range(1..=3600))]
@@ -71,7 +76,7 @@ pub struct Args {
     /// Flip bits, to see the repair at work: in this share of the bytes sent, as 0.001, or in about
     /// every N-th
     #[arg(long, value_name = "RATE", default_value = "0", value_parser = noise)]
-    pub noise: f64,
+    pub noise: f32,
 
     /// Don't wait for the other end's answers: the line has no way back
     #[arg(long, requires = "port")]
@@ -116,6 +121,12 @@ pub enum Format {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Coding {
+    Predictive,
+    Plain,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Shade {
     Lambert,
     Depth,
@@ -142,7 +153,7 @@ pub enum Number {
 }
 
 /// A share of bytes, or one in so many.
-fn noise(text: &str) -> Result<f64, String> {
+fn noise(text: &str) -> Result<f32, String> {
     match text.parse() {
         Ok(rate @ 0.0..=0.05) => Ok(rate),
         Ok(every @ 20.0..=1e9) => Ok(1.0 / every),

@@ -1,13 +1,14 @@
 //! The host: chooses what is rendered, gives it a line, and looks at what comes out.
 
-use crate::args::{self, Args, Camera, Format, Number, Path};
+use crate::args::{self, Args, Camera, Coding, Format, Number, Path};
+use crate::coding::Chosen;
 use crate::gallery::Assembly;
 use crate::host::film::Film;
 use crate::host::meter::Meter;
 use crate::host::port::{self, Port};
 use crate::host::receive::{CAPACITY, Ending, Room, Session, timing};
 use crate::host::screen::Screen;
-use crate::host::wire::{Faults, Wire};
+use crate::host::wire::{Trouble, Wire};
 use crate::line::{Line, ONE_WAY, PATIENCE};
 use crate::scene::LAP;
 use crate::scene::pipe::PipeScene;
@@ -19,7 +20,7 @@ use scancsg::render::{
 };
 use scancsg::scalar::I16F16;
 use scancsg::solid::{Placed, Scan, Solid};
-use scancsg::stream::{Delivery, Plain, Sender, ServeError, WirePixel, serve};
+use scancsg::stream::{Delivery, Predictable, Sender, ServeError, Timing, WirePixel, serve};
 use std::f64::consts::TAU;
 use std::io;
 use std::process::ExitCode;
@@ -37,8 +38,8 @@ const NEAR_HEIGHT: f64 = 3.7;
 /// For the pipe's segments, and their views and rows, which an unoptimised build copies about.
 const SENDER_STACK: usize = 16 << 20;
 
-/// With no sender, this long is waited for a frame.
-const FRAME_WAIT: Duration = Duration::from_secs(5);
+/// A frame's first packet may have to be rendered for so long; a sender that fails closes the line.
+const FRAME_WAIT: Duration = Duration::from_secs(120);
 
 /// After so many frames in a row that nobody has acknowledged, no more are sent.
 const UNHEARD: u32 = 3;
@@ -67,7 +68,7 @@ pub fn run() -> ExitCode {
 
 fn line(port: Box<dyn Port>, args: &Args) -> Line {
     let baud = args.baud.filter(|_| args.port.is_none());
-    Line::new(Wire::new(port, Faults { baud, noise: args.noise, cut_after: args.cut_after }))
+    Line::new(Wire::new(port, Trouble { baud, noise: args.noise, cut_after: args.cut_after }))
 }
 
 /// What the sending side has to say when it is done.
@@ -112,7 +113,9 @@ fn loop_back(args: &Args) -> Result<Vec<String>, String> {
             .spawn_scoped(scope, || send(args, &line(far, args), &mut |_| {}))
             .map_err(|error| format!("starting a thread failed: {error}"))?;
         let mut room = Room::new();
-        let mut session: Session<'_> = Session::new(near, &mut room, timing(args.baud));
+        let give_up = FRAME_WAIT.as_millis() as u32;
+        let timing = Timing { give_up, ..timing(args.baud) };
+        let mut session: Session<'_> = Session::new(near, &mut room, timing);
         let (mut screen, mut meter, mut film) = (Screen::new(), Meter::new(), Film::new(&args.out));
         let count = u32::from(args.frames);
         let (mut problems, mut arrived, mut raw) = (Vec::new(), 0, 0);
@@ -254,7 +257,7 @@ fn send_shaded<S, T, P>(
 where
     S: Choice,
     T: Part<S>,
-    P: Blend + WirePixel,
+    P: Blend + WirePixel<Wire: Predictable>,
 {
     let shading = Shading::new(args.shade, S::TO_LIGHT, S::hundredths);
     let shading = shading.map_err(|error| error.to_string())?;
@@ -295,11 +298,15 @@ where
     S: Choice,
     C: scancsg::render::Camera<Rays: Rays<Scalar = S>>,
     T: Solid<Scalar = S> + Scan<C::Rays>,
-    P: Blend + WirePixel,
+    P: Blend + WirePixel<Wire: Predictable>,
 {
     let size: Size = args.size;
+    let coding = match args.coding {
+        Coding::Plain => Chosen::plain(),
+        Coding::Predictive => Chosen::predictive(),
+    };
     let patience = if args.one_way { ONE_WAY } else { PATIENCE };
-    let mut sender = Box::new(Sender::<_, CAPACITY>::new(Plain, patience));
+    let mut sender = Box::new(Sender::<_, CAPACITY>::new(coding, patience));
     let (mut port, mut clock) = (line, line);
     let mut pixels = vec![background; usize::from(size.width())];
     let mut columns = vec![SmoothColumn::EMPTY; usize::from(size.width()) + 1];

@@ -12,6 +12,8 @@ mod args;
 #[cfg(target_os = "none")]
 #[path = "../board/mod.rs"]
 mod board;
+#[cfg(not(target_os = "none"))]
+mod coding;
 #[cfg(target_os = "none")]
 mod firmware;
 #[cfg(not(target_os = "none"))]

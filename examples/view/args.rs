@@ -5,8 +5,8 @@ use std::net::SocketAddr;
 use std::path::PathBuf;
 
 const EXIT_CODES: &str = "\
-Exit codes: 0 all is well, 1 something failed, 2 wrong options, 3 a frame is incomplete or fewer \
-came than were wanted, 4 no frame came.";
+Exit codes: 0 all is well, 1 something failed, 2 wrong options, 3 fewer whole frames than --frames, or \
+without it an incomplete one, 4 no frame came.";
 
 /// Receive frames from a serial device, show them, and save them while they come.
 ///

@@ -113,6 +113,9 @@ fn receive(args: &Args) -> Result<ExitCode, String> {
         (None, None) => return Err("there is nothing to receive from".into()),
     };
     let mut screen = Screen::new();
+    if let Some(device) = device.as_ref().filter(|_| args.port.is_none()) {
+        screen.note(&format!("listening to {device} at {} baud", args.baud));
+    }
     let server = args.serve.map(Server::start).transpose()?;
     if let Some(server) = &server {
         screen.note(&format!("serving ws://{}", server.address()));
@@ -183,11 +186,14 @@ impl Run<'_> {
 
     /// A frame is over.
     fn take(&mut self, frame: Frame) -> Result<Option<End>, String> {
-        self.meter.count(&frame);
+        // A device that was reset is not to blame.
+        let is_reset = frame.ending == Ending::Restarted;
+        if !is_reset {
+            self.meter.count(&frame);
+        }
         if let Some(problem) = frame.problem() {
             self.screen.note(&format!("view: {problem}"));
-            // A device that was reset is not to blame.
-            self.damaged += u32::from(frame.ending != Ending::Restarted);
+            self.damaged += u32::from(!is_reset);
             self.unfinished = Some(frame);
             let is_enough = self.args.frames.is_some() && self.damaged >= GIVE_UP;
             return Ok(is_enough.then_some(End::Damaged));
@@ -248,6 +254,9 @@ impl Run<'_> {
         });
         if let Some(frame) = under_way.filter(|_| end != End::Enough) {
             problems.extend(frame.problem());
+            if end == End::Silence {
+                self.meter.count(&frame);
+            }
             self.unfinished = Some(frame);
         }
         let whole = self.saver.count();
@@ -259,8 +268,10 @@ impl Run<'_> {
         for place in self.saver.places() {
             println!("{place}: {}", frames(self.saver.count()));
         }
-        let [_, figures] = self.meter.lines(self.session.picture(), traffic, None);
-        println!("{figures}");
+        if !self.screen.is_terminal() {
+            let [_, figures] = self.meter.lines(self.session.picture(), traffic, None);
+            println!("{figures}");
+        }
         if let End::Silence = end {
             let wait = self.wait().unwrap_or_default().as_secs();
             problems.push(if !is_connected {
@@ -271,18 +282,20 @@ impl Run<'_> {
                 format!("nothing of a frame came for {wait} s")
             });
         }
-        if let Some(count) = self.args.frames.filter(|count| whole < *count) {
+        let is_whole = match self.args.frames {
+            Some(count) => whole >= count,
+            None => self.meter.incomplete() == 0,
+        };
+        if let Some(count) = self.args.frames.filter(|_| !is_whole) {
             problems.push(format!("only {whole} of {}", frames(count)));
         }
         for problem in &problems {
             eprintln!("view: {problem}");
         }
-        let is_short = self.args.frames.is_some_and(|count| whole < count);
-        Ok(ExitCode::from(match whole {
-            0 if self.saver.count() == 0 => NO_FRAME,
-            0 => INCOMPLETE,
-            _ if is_short || self.meter.incomplete() > 0 => INCOMPLETE,
-            _ => 0,
+        Ok(ExitCode::from(match self.saver.count() {
+            0 => NO_FRAME,
+            _ if is_whole && whole > 0 => 0,
+            _ => INCOMPLETE,
         }))
     }
 

@@ -1,8 +1,8 @@
 //! The operators `|`, `&` and `-`, of every solid with any other.
 
 use super::{
-    Boolean, ByLine, Cone, Cuboid, Cylinder, Difference, HalfSpace, Intersection, Many, Painted,
-    Pipe, Placed, Polyhedron, Scaled, Slab, Sphere, Torus, Union,
+    Boolean, ByLine, Capsule, Cone, Cuboid, Cylinder, Difference, HalfSpace, Intersection, Many,
+    Painted, Pipe, Placed, Polyhedron, RoundedCuboid, Scaled, Slab, Sphere, Torus, Union,
 };
 use crate::scalar::Scalar;
 use crate::span::Shape;
@@ -33,6 +33,8 @@ operators! {
     [S: Scalar] Slab<S>,
     [S: Scalar] Sphere<S>,
     [S: Scalar] Torus<S>,
+    [S: Scalar] Capsule<S>,
+    [S: Scalar] RoundedCuboid<S>,
     [S: Scalar, const SEGMENTS: usize] Pipe<S, SEGMENTS>,
     [T, const N: usize] ByLine<T, N>,
     [T, const N: usize] Many<T, N>,

@@ -317,7 +317,9 @@ impl<'a> Assembler<'a> {
                 Ok(header)
             }
             current => {
-                if self.refused != Some(frame) {
+                if self.refused == Some(frame) {
+                    self.unknown = None;
+                } else {
                     // A late packet of the frame before is no reason to ask for that one's header.
                     let is_expected = current.is_none_or(|_| self.complete);
                     let is_second = self.unknown.is_some_and(|(before, _)| before == frame);

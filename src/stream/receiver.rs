@@ -4,7 +4,7 @@ use heapless::Vec;
 
 use super::assembler::{Assembler, Event, Memory, ReceiveError};
 use super::decoder::Decoder;
-use super::error::PacketError;
+use super::error::{PacketError, UnpackError};
 use super::wire::{
     FrameHeader, Packet, Part, REQUEST_CAPACITY, Request, encode_ack, encode_request,
 };
@@ -111,6 +111,8 @@ struct Policy {
     /// The row behind the last one of the sweep that has come.
     expected: u16,
     has_ended: bool,
+    /// There is no memory for the frame's rows.
+    is_beyond: bool,
     limit: u8,
     /// When the last packet came.
     since: u32,
@@ -133,6 +135,7 @@ impl<'m, const N: usize> Receiver<'m, N> {
             answers: Vec::new(),
             expected: 0,
             has_ended: false,
+            is_beyond: false,
             limit: FIRST_LIMIT,
             since: 0,
             next: 0,
@@ -210,27 +213,22 @@ impl Policy {
             }
         };
         self.traffic.packets += 1;
-        let result = frame.accept(&packet);
-        if let Some(unknown) = frame.unknown() {
-            self.heard(now);
-            // At its first packet, some packets later, and whenever the sender is done.
-            if self.strays == 0 || matches!(packet, Packet::End { .. }) {
-                self.begin();
-                self.ask(unknown, Part::Header);
-            }
-            self.strays = (self.strays + 1) % STRAYS;
-        }
-        let event = match result {
+        let event = match frame.accept(&packet) {
+            // What this end has said itself, as an echo: nobody is there for that.
+            Ok(Event::Ignored) => return None,
             Ok(event) => event,
-            Err(ReceiveError::UnknownFrame) => return None,
+            Err(ReceiveError::UnknownFrame) => {
+                if let Some(unknown) = frame.unknown() {
+                    self.stray(unknown, matches!(packet, Packet::End { .. }), now);
+                }
+                return None;
+            }
             Err(error) => {
                 self.traffic.bad_packets += 1;
+                self.is_beyond |= error == ReceiveError::Payload(UnpackError::NoMemory);
                 return Some(Event::Refused(error));
             }
         };
-        if event == Event::Ignored {
-            return None;
-        }
         self.heard(now);
         self.strays = 0;
         if let Event::Started { .. } = event {
@@ -249,10 +247,25 @@ impl Policy {
                 }
             }
             // The sender has done all that it was asked for: what is missing now was lost.
-            Event::Incomplete { .. } | Event::HashMismatch => self.ask_for_gaps(frame),
+            Event::Incomplete { .. } | Event::HashMismatch => {
+                self.answers.clear();
+                self.ask_for_gaps(frame);
+            }
             _ => {}
         }
         Some(event)
+    }
+
+    /// A packet of a frame without a header has come.
+    fn stray(&mut self, frame: u16, is_end: bool, now: u32) {
+        self.heard(now);
+        // At its first packet, some packets later, and whenever the sender is done. What is known of the
+        // current frame stays: these may be late packets of the one before it.
+        if self.strays == 0 || is_end {
+            self.answers.clear();
+            self.ask(frame, Part::Header);
+        }
+        self.strays = (self.strays + 1) % STRAYS;
     }
 
     /// The sender is there.
@@ -264,6 +277,7 @@ impl Policy {
     fn begin(&mut self) {
         self.answers.clear();
         (self.expected, self.has_ended, self.limit) = (0, false, FIRST_LIMIT);
+        self.is_beyond = false;
     }
 
     /// Rows have come: if they are not the next ones, those between are lost.
@@ -277,7 +291,6 @@ impl Policy {
 
     fn ask_for_gaps(&mut self, frame: &Assembler<'_>) {
         let Some(FrameHeader { frame: id, .. }) = frame.header() else { return };
-        self.answers.clear();
         for (y, count) in frame.gaps().take(ANSWERS) {
             self.ask(id, Part::Rows { y, count, limit: self.limit });
         }
@@ -288,6 +301,10 @@ impl Policy {
     }
 
     fn ask(&mut self, frame: u16, part: Part) {
+        // To ask for rows that can't be taken in would never end.
+        if self.is_beyond && part != Part::Header {
+            return;
+        }
         self.put(Answer::Request(Request { frame, part }));
         self.traffic.requests += 1;
     }
@@ -310,12 +327,14 @@ impl Policy {
             self.step = self.step.saturating_mul(2).min(self.timing.ask.saturating_mul(8));
             self.next = quiet.saturating_add(self.step);
             self.answers.clear();
-            if unknown.is_some() {
-                self.ask(id, Part::Header);
-            } else if frame.missing().next().is_some() {
-                self.ask_for_gaps(frame);
-            } else {
-                self.ask(id, Part::End);
+            // Either may be the sender's frame now: it ignores what is not.
+            if let Some(unknown) = unknown {
+                self.ask(unknown, Part::Header);
+            }
+            match current {
+                Some(_) if frame.missing().next().is_some() => self.ask_for_gaps(frame),
+                Some(header) => self.ask(header.frame, Part::End),
+                None => {}
             }
         }
         None

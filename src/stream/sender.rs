@@ -138,6 +138,8 @@ struct State {
     open: Option<Open>,
     /// The next row of the sweep; as many have been sent and hashed.
     next: u16,
+    /// So many of them are on the line, and not only in a packet.
+    written: u16,
     hash: FrameHash,
     /// The last one is served first.
     repairs: Vec<Repair, REPAIRS>,
@@ -147,6 +149,10 @@ struct State {
     is_end: bool,
     /// When the end was sent.
     since: u32,
+    /// The first answer to a frame's first end shows what the other end takes. Those behind it came with
+    /// it, or answer an earlier end.
+    is_timed: bool,
+    has_ended: bool,
     /// Ticks without an answer before that.
     silent: u64,
     tries: u8,
@@ -242,7 +248,8 @@ impl<C: Coding, const N: usize> Sender<C, N> {
     /// # Errors
     ///
     /// [`EncodeError::NoFrame`], [`EncodeError::Format`], [`EncodeError::Width`] or
-    /// [`EncodeError::Order`] if this is not the row that is wanted.
+    /// [`EncodeError::Order`] if this is not the row that is wanted: one that has been asked for since
+    /// [`poll`](Self::poll) may be wanted before it. Nothing has changed then: poll again.
     pub fn row<P: WirePixel>(&mut self, y: u16, pixels: &[P]) -> Result<(), EncodeError>
     where
         C: RowCoding<P>,
@@ -308,12 +315,15 @@ impl State {
             ready: 0,
             open: None,
             next: 0,
+            written: 0,
             hash: FrameHash::new(),
             repairs: Vec::new(),
             header_due: false,
             end_due: false,
             is_end: false,
             since: 0,
+            is_timed: false,
+            has_ended: false,
             silent: 0,
             tries: 0,
             round_trip: None,
@@ -404,8 +414,11 @@ impl State {
     fn sent(&mut self, now: u32) {
         self.bytes_sent = self.bytes_sent.wrapping_add(self.ready as u64);
         self.ready = 0;
+        let open = self.open.filter(|open| !open.is_repair);
+        self.written = open.map_or(self.next, |open| open.y);
         if core::mem::take(&mut self.is_end) {
             self.since = now;
+            self.is_timed = !core::mem::replace(&mut self.has_ended, true);
             if self.patience.silences == 0 {
                 self.delivery = Some(Delivery::Unheard);
             }
@@ -445,10 +458,11 @@ impl State {
     /// The other end is there.
     fn heard(&mut self, now: u32) {
         if self.is_swept() && !self.end_due {
-            if self.tries == 0 {
+            if core::mem::take(&mut self.is_timed) {
                 let ticks = now.wrapping_sub(self.since);
+                // Waiting too long costs little; a request from before the end must not make it short.
                 let before = self.round_trip.unwrap_or(ticks);
-                self.round_trip = Some(before.midpoint(ticks));
+                self.round_trip = Some(ticks.max(before.midpoint(ticks)));
             }
             self.since = now;
         }
@@ -457,7 +471,8 @@ impl State {
 
     #[inline(never)]
     fn acknowledge(&mut self, frame: u16, now: u32) {
-        if self.header.is_some_and(|header| header.frame == frame) && self.is_swept() {
+        // Before the end, it is late and of another frame with this number.
+        if self.header.is_some_and(|header| header.frame == frame) && self.has_ended {
             self.heard(now);
             self.repairs.clear();
             self.delivery = Some(Delivery::Acknowledged { repairs: self.asked });
@@ -466,9 +481,9 @@ impl State {
 
     #[inline(never)]
     fn ask(&mut self, request: Request, now: u32) {
-        let Some(header) = self.header.filter(|header| header.frame == request.frame) else {
+        if self.header.is_none_or(|header| header.frame != request.frame) {
             return;
-        };
+        }
         self.heard(now);
         self.asked = self.asked.saturating_add(1);
         match request.part {
@@ -479,10 +494,13 @@ impl State {
             Part::End => self.end_due = self.is_swept(),
             Part::Rows { y, count, limit } => {
                 // Rows that are still to come are not lost.
-                let end = y.saturating_add(count).min(self.next).min(header.height);
+                let end = y.saturating_add(count).min(self.written);
+                if y >= end {
+                    return;
+                }
                 self.limit = limit.max(MIN_LIMIT).min(self.limit);
                 let repair = Repair { next: y, end, limit };
-                if y < end && !self.repairs.iter().any(|other| other.end == end) {
+                if !self.repairs.iter().any(|other| other.end == end) {
                     // If there is no place, it is asked for once more.
                     let _ = self.repairs.push(repair);
                 }

@@ -127,7 +127,8 @@ fn test() -> Result<(), String> {
 }
 
 fn members() -> Result<(), String> {
-    done(&mut command("cargo test --package testkit --package xtask"))
+    done(&mut command("cargo test --package testkit --package xtask"))?;
+    done(&mut command("cargo test --package scancsg --features async --test stream_async"))
 }
 
 fn docs() -> Result<(), String> {

@@ -40,13 +40,13 @@ impl<const N: usize> Payload<N> {
         self.interval = Interval::ALL;
     }
 
-    /// Adds a row, or leaves the payload as it is. Returns whether the row fits, and what `code` returns.
-    fn add<T>(&mut self, out: &mut [u8], code: impl FnOnce(&mut Encoder<'_, N>) -> T) -> Option<T> {
+    /// Adds a row, or leaves the payload as it is. Returns whether the row fits.
+    fn add(&mut self, out: &mut [u8], code: impl FnOnce(&mut Encoder<'_, N>)) -> bool {
         let mut coder = Encoder::resume(&mut self.model, self.interval, out);
-        let result = code(&mut coder);
-        let interval = coder.fits()?;
-        self.interval = interval;
-        Some(result)
+        code(&mut coder);
+        let end = coder.fits();
+        self.interval = end.unwrap_or(self.interval);
+        end.is_some()
     }
 }
 
@@ -81,10 +81,8 @@ impl<P: Wire> RowsEncoder<P> {
         let Some(above) = above.get_mut(..row.len()) else { return false };
         let is_first = self.left.is_none();
         let start = Start { left: self.left.unwrap_or_else(|| alphabet.pixel(0)), is_first };
-        self.left = self
-            .payload
-            .add(out, |coder| rows::code(coder, alphabet, above, &mut Source(row), start));
-        self.left.is_some()
+        self.left = row.first().map(|left| left.to_wire());
+        self.payload.add(out, |coder| rows::code(coder, alphabet, above, &mut Source(row), start))
     }
 
     /// Ends the payload in `out` with the rows that fit. Returns its length.
@@ -117,7 +115,7 @@ impl BilevelEncoder {
         out: &mut [u8],
     ) -> bool {
         let Some(above) = above.get_mut(..width.div_ceil(8)) else { return false };
-        self.0.add(out, |coder| bilevel::code(coder, above, width, pixel)).is_some()
+        self.0.add(out, |coder| bilevel::code(coder, above, width, pixel))
     }
 
     /// Ends the payload in `out` with the rows that fit. Returns its length.
@@ -167,9 +165,9 @@ impl<'a, P: Copy + PartialEq> RowsDecoder<'a, P> {
         row: &mut [u8],
     ) {
         let start = self.start.unwrap_or(Start { left: alphabet.pixel(0), is_first: true });
-        let mut line = Sink(row, A::bytes);
-        let left = rows::code(&mut self.coder, alphabet, above, &mut line, start);
-        self.start = Some(Start { left, is_first: false });
+        let mut line = Sink { row, bytes: A::bytes, first: start.left };
+        rows::code(&mut self.coder, alphabet, above, &mut line, start);
+        self.start = Some(Start { left: line.first, is_first: false });
     }
 
     /// Whether the payload has just the bytes that its rows need.
@@ -205,9 +203,14 @@ impl<'a> BilevelDecoder<'a> {
 }
 
 /// A row that is written, as bytes.
-struct Sink<'a, F>(&'a mut [u8], F);
+struct Sink<'a, P, F> {
+    row: &'a mut [u8],
+    bytes: F,
+    /// The pixel in the first column.
+    first: P,
+}
 
-impl<P: Copy, B: AsRef<[u8]>, F: Fn(P) -> B> Line<P> for Sink<'_, F> {
+impl<P: Copy, B: AsRef<[u8]>, F: Fn(P) -> B> Line<P> for Sink<'_, P, F> {
     fn get(&self, _: usize) -> Option<P> {
         None
     }
@@ -217,15 +220,20 @@ impl<P: Copy, B: AsRef<[u8]>, F: Fn(P) -> B> Line<P> for Sink<'_, F> {
     }
 
     fn fill(&mut self, from: usize, to: usize, pixel: P) {
-        let bytes = self.1(pixel);
+        if from == 0 {
+            self.first = pixel;
+        }
+        let bytes = (self.bytes)(pixel);
         let bytes = bytes.as_ref();
         let (from, to) = (from * bytes.len(), to * bytes.len());
-        let places = self.0.get_mut(from..to).unwrap_or_default();
+        let places = self.row.get_mut(from..to).unwrap_or_default();
         for (to, byte) in places.iter_mut().zip(bytes.iter().cycle()) {
             *to = *byte;
         }
     }
 }
 
+#[cfg(test)]
+mod reference;
 #[cfg(test)]
 mod tests;

@@ -68,29 +68,37 @@ struct Chain {
 impl Chain {
     const EMPTY: Self = Self { color: Rgb::new(0, 0, 0), first: 0, steps: [0; 8] };
 
+    /// The pixel at a level. Not inlined: it is asked for in many places, and long.
+    #[inline(never)]
+    fn pixel<P: Channels>(&self, level: u8) -> P {
+        P::shaded(self.color, level)
+    }
+
     fn of<P: Channels>(color: Rgb, first: u16) -> Self {
+        let mut new = Self { color, first, steps: [0; 8] };
         let mut steps = [0; 8];
-        let mut last = None;
+        let mut last: Option<P> = None;
         for (word, levels) in steps.iter_mut().zip((0..=u8::MAX).step_by(32)) {
             for bit in 0..32 {
-                let pixel = P::shaded(color, levels + bit);
+                let pixel = new.pixel(levels + bit);
                 *word |= u32::from(last != Some(pixel)) << bit;
                 last = Some(pixel);
             }
         }
-        Self { color, first, steps }
+        new.steps = steps;
+        new
     }
 
     fn len(&self) -> u16 {
-        self.steps.iter().map(|word| word.count_ones() as u16).sum()
+        self.steps.iter().map(|word| ones(*word) as u16).sum()
     }
 
     /// The symbol of the pixel at a level.
     fn symbol(&self, level: u8) -> u16 {
         let (words, bits) = (usize::from(level / 32), u32::from(level % 32));
-        let before: u32 = self.steps.iter().take(words).map(|word| word.count_ones()).sum();
+        let before: u32 = self.steps.iter().take(words).map(|word| ones(*word)).sum();
         let word = self.steps.get(words).copied().unwrap_or(0);
-        self.first + (before + (word & u32::MAX >> (31 - bits)).count_ones()) as u16 - 1
+        self.first + (before + ones(word & (u32::MAX >> (31 - bits)))) as u16 - 1
     }
 
     /// A level at which the pixel has this symbol: the darkest one.
@@ -99,7 +107,7 @@ impl Chain {
         let mut level = 0;
         for word in self.steps {
             let mut word = word;
-            let count = word.count_ones();
+            let count = ones(word);
             if left < count {
                 (0..left).for_each(|_| word &= word - 1);
                 return (level + word.trailing_zeros()) as u8;
@@ -112,7 +120,7 @@ impl Chain {
 }
 
 /// How many pixels an encoder remembers the symbols of.
-const CACHE: usize = 32;
+const CACHE: usize = 64;
 
 /// In a remembered symbol: the pixel isn't in the chains, and the symbol is that of a near one.
 const IS_NEAR: u16 = 0x8000;
@@ -164,6 +172,12 @@ impl<P: Channels, const N: usize> Palette<P, N> {
     }
 }
 
+/// How many bits are set: code that small cores have no instruction for, once.
+#[inline(never)]
+fn ones(word: u32) -> u32 {
+    word.count_ones()
+}
+
 fn sum<P: Channels>(pixel: P) -> i32 {
     pixel.channels().iter().sum()
 }
@@ -181,13 +195,13 @@ fn nearest<P: Channels>(chains: &[Chain], pixel: P) -> u16 {
     let (mut symbol, mut least) = (IS_NEAR, u32::MAX);
     for chain in chains {
         // Along a chain, the sum grows from each pixel to the next.
-        let darker = |level: u8| sum(P::shaded(chain.color, level)) < wanted;
+        let darker = |level: u8| sum(chain.pixel::<P>(level)) < wanted;
         let level = (0..8).rev().fold(0, |level: u8, bit| {
             let half = 1 << bit;
             if darker(level + (half - 1)) { level + half } else { level }
         });
         for level in [level, level.saturating_sub(1)] {
-            let off = distance(P::shaded(chain.color, level), pixel);
+            let off = distance(chain.pixel(level), pixel);
             if off < least {
                 symbol = chain.symbol(level) | if off == 0 { 0 } else { IS_NEAR };
                 least = off;
@@ -204,7 +218,7 @@ fn nearest<P: Channels>(chains: &[Chain], pixel: P) -> u16 {
 #[inline(never)]
 fn pixel<P: Channels>(chains: &[Chain], symbol: u16) -> P {
     let of = chains.iter().rev().find(|chain| chain.first <= symbol);
-    of.map_or(P::shaded(Rgb::new(0, 0, 0), 0), |chain| P::shaded(chain.color, chain.level(symbol)))
+    of.map_or(P::shaded(Rgb::new(0, 0, 0), 0), |chain| chain.pixel(chain.level(symbol)))
 }
 
 impl<P: Channels, const N: usize> Alphabet for Palette<P, N> {

@@ -110,6 +110,16 @@ impl<'a, const N: usize> Encoder<'a, N> {
         }
     }
 
+    /// A decision with an adaptive probability. What the caller knows isn't handed back: that would take
+    /// one instruction in ten.
+    #[inline(never)]
+    fn adapt(&mut self, slot: Slot, bit: bool) {
+        let probability = self.model.of(slot);
+        let middle = self.interval.middle(probability.yes());
+        probability.learn(bit);
+        self.take(middle, bit);
+    }
+
     /// Once in eight bits of payload, so it isn't inlined.
     #[cold]
     #[inline(never)]
@@ -125,12 +135,9 @@ impl<'a, const N: usize> Encoder<'a, N> {
 }
 
 impl<const N: usize> Bins for Encoder<'_, N> {
-    #[inline(never)]
+    #[inline(always)]
     fn bin(&mut self, slot: Slot, bit: bool) -> bool {
-        let probability = self.model.of(slot);
-        let middle = self.interval.middle(probability.yes());
-        probability.learn(bit);
-        self.take(middle, bit);
+        self.adapt(slot, bit);
         bit
     }
 

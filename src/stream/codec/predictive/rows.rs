@@ -60,26 +60,26 @@ pub(crate) struct Start<P> {
 }
 
 /// Codes a row as wide as `above`, which holds the symbols of the row above and then those of this one.
-/// Returns the row's first pixel.
 pub(crate) fn code<C: Bins, A: Alphabet>(
     coder: &mut C,
     alphabet: &mut A,
     above: &mut [A::Symbol],
     line: &mut impl Line<A::Pixel>,
     start: Start<A::Pixel>,
-) -> A::Pixel {
+) {
     let Start { left: mut pixel, is_first } = start;
     let (width, top) = (above.len(), alphabet.top());
+    // Of the first row's gradients only d2 isn't 0, so it has 3 contexts.
+    let contexts = if is_first { 63 } else { 0 };
     let (mut w, mut n, mut nw, mut ne) = (0, 0, 0, 0);
     if !is_first {
-        n = recall::<A>(above, 0);
-        (w, nw, ne) = (n, n, recall::<A>(above, 1));
+        n = recall::<A>(above, 0, 0);
+        (w, nw, ne) = (n, n, recall::<A>(above, 1, n));
     }
-    let mut first = pixel;
     let mut last = 0;
     let mut x = 0;
     while x < width {
-        let mut nee = if is_first { 0 } else { recall::<A>(above, x + 2) };
+        let mut nee = if is_first { 0 } else { recall::<A>(above, x + 2, ne) };
         let symbol;
         if w == n && n == nw && nw == ne {
             let context = FLAT + usize::from(w == 0) + 2 * usize::from(is_first);
@@ -92,10 +92,8 @@ pub(crate) fn code<C: Bins, A: Alphabet>(
                     if is_first {
                         above.iter_mut().take(end).skip(x).for_each(|kept| *kept = A::kept(w));
                     } else {
-                        (n, ne) = (recall::<A>(above, end), recall::<A>(above, end + 1));
-                    }
-                    if x == 0 {
-                        first = pixel;
+                        n = recall::<A>(above, end, w);
+                        ne = recall::<A>(above, end + 1, n);
                     }
                     last = 0;
                     x = end;
@@ -110,7 +108,8 @@ pub(crate) fn code<C: Bins, A: Alphabet>(
                 if is_first {
                     above.iter_mut().take(x).skip(from).for_each(|kept| *kept = A::kept(w));
                 } else {
-                    (ne, nee) = (recall::<A>(above, x + 1), recall::<A>(above, x + 2));
+                    ne = recall::<A>(above, x + 1, w);
+                    nee = recall::<A>(above, x + 2, ne);
                 }
             } else {
                 is_same = coder.bin(context + 8, line.holds(x, x + 1, pixel));
@@ -125,17 +124,11 @@ pub(crate) fn code<C: Bins, A: Alphabet>(
             last = symbol - w;
         } else {
             let (d1, d2, d3) = (w - nw, nw - n, n - ne);
-            let guess = if d1.abs() < SMOOTH && d2.abs() < SMOOTH {
-                (w - d2).clamp(0, top)
-            } else {
-                med(w, n, nw)
-            };
-            let signed = level(d1) * 25 + level(d2) * 5 + level(d3);
+            let guess =
+                if is_smooth(d1) && is_smooth(d2) { (w - d2).clamp(0, top) } else { med(w, n, nw) };
+            let signed = level(d1) * 25 + level(d3) * 5 + level(d2);
             let flip = signed < 0;
-            let mut gradients = signed.unsigned_abs() as usize;
-            if is_first {
-                gradients = 63 + level(d2).unsigned_abs() as usize;
-            }
+            let gradients = signed.unsigned_abs() as usize + contexts;
             let turn = if last == 0 { 0 } else { 1 + usize::from((last < 0) != flip) };
             let known = line.get(x).map(|pixel| (pixel, alphabet.symbol(pixel)));
             let is_guess = known.is_some_and(|(_, symbol)| symbol == (guess, true));
@@ -158,26 +151,22 @@ pub(crate) fn code<C: Bins, A: Alphabet>(
         if let Some(kept) = above.get_mut(x) {
             *kept = A::kept(symbol);
         }
-        if x == 0 {
-            first = pixel;
-        }
         x += 1;
         if is_first {
             let change = symbol - w;
-            n = if change.abs() < SMOOTH { (symbol + change).clamp(0, top) } else { symbol };
+            n = if is_smooth(change) { (symbol + change).clamp(0, top) } else { symbol };
             (nw, ne) = (symbol, n);
         } else {
             (nw, n, ne) = (n, ne, nee);
         }
         w = symbol;
     }
-    first
 }
 
-/// The symbol of the row above in a column, or beyond the row its last one.
+/// The symbol of the row above in a column, or beyond the row the one before it.
 #[inline(always)]
-fn recall<A: Alphabet>(above: &[A::Symbol], x: usize) -> i32 {
-    above.get(x).or(above.last()).map_or(0, |symbol| A::recalled(*symbol))
+fn recall<A: Alphabet>(above: &[A::Symbol], x: usize, before: i32) -> i32 {
+    above.get(x).map_or(before, |symbol| A::recalled(*symbol))
 }
 
 /// How many columns from here on, at most [`RUN`], have this symbol at their upper right.
@@ -191,6 +180,13 @@ fn flat<A: Alphabet>(above: &[A::Symbol], x: usize, symbol: i32, is_first: bool)
     let run = right.iter().take(RUN).take_while(|kept| A::recalled(**kept) == symbol).count();
     // What is beyond the row is like its last column.
     if run + 1 == left { left.min(RUN) } else { run }
+}
+
+/// Whether a gradient is smaller than [`SMOOTH`].
+#[inline(always)]
+fn is_smooth(gradient: i32) -> bool {
+    // One comparison, where the absolute value isn't needed otherwise.
+    ((gradient + (SMOOTH - 1)) as u32) < 2 * SMOOTH as u32 - 1
 }
 
 /// Five levels of a gradient.

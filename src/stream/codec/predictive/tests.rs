@@ -1,4 +1,5 @@
-//! Rows there and back, in every format, and payloads that no encoder has written.
+//! Rows there and back, in every format; and payloads that no encoder has written, which two decoders read
+//! alike.
 
 use proptest::prelude::*;
 use std::vec;
@@ -6,6 +7,7 @@ use std::vec::Vec;
 
 use super::alphabet::Levels;
 use super::palette::Palette;
+use super::reference::Reference;
 use super::*;
 use crate::render::{Gray8, Pixel, Rgb, Rgb565};
 use core::marker::PhantomData;
@@ -131,6 +133,22 @@ fn colors() -> impl Strategy<Value = Vec<Rgb>> {
         .prop_map(|all| all.into_iter().map(|[r, g, b]| Rgb::new(r, g, b)).collect())
 }
 
+/// The table and the example of the documentation are what the coder has and writes.
+#[test]
+fn the_documentation_is_right() {
+    let words = include_str!("../../../../docs/link_rows.md").split_whitespace();
+    let all: std::string::String = words.collect();
+    let hex = |bytes: &[u8]| -> std::string::String {
+        bytes.iter().map(|byte| std::format!("{byte:02x}")).collect()
+    };
+    assert!(all.contains(&hex(&START)));
+    let rows =
+        [[0, 0, 0, 50, 60, 70, 80, 0], [0, 0, 0, 51, 61, 71, 81, 0], [0, 0, 0, 52, 64, 90, 90, 0]];
+    let (payloads, _) = encode(&mut Levels, 8, rows.map(|row| row.map(Gray8)).as_flattened());
+    assert_eq!(payloads.len(), 1);
+    assert!(all.contains(&std::format!("Thepayload`{}`holds", hex(&payloads[0].1))));
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 128, ..ProptestConfig::default() })]
 
@@ -197,16 +215,87 @@ proptest! {
     }
 
     #[test]
-    fn hostile(payload in proptest::collection::vec(any::<u8>(), 0..300), width in 1..400_usize) {
-        let payloads = vec![(5, payload.clone())];
-        let (pixels, _) = decode(&mut Levels::<u8>(PhantomData), width, &payloads);
-        prop_assert_eq!(pixels.len(), width * 5);
-        let mut palette = Palette::<Rgb565, 2>::new(&[Rgb::new(200, 30, 90), Rgb::new(0, 0, 0)]);
-        let (pixels, _) = decode(&mut palette, width, &payloads);
-        prop_assert_eq!(pixels.len(), width * 10);
-        let mut above = vec![0; width.div_ceil(8)];
+    fn any_payload_is_some_rows_of_bits(
+        payload in proptest::collection::vec(any::<u8>(), 0..300),
+        width in 1..400_usize,
+    ) {
+        let size = width.div_ceil(8);
+        let mut above = vec![0; size];
         let mut model = Model::starting(&bilevel::START);
         let mut decoder = BilevelDecoder::new(&mut model, &mut above, &payload);
-        (0..5).for_each(|_| decoder.row(&mut above, width));
+        for _ in 0..5 {
+            decoder.row(&mut above, width);
+            // Nothing is behind the last pixel.
+            let unused = 0xFF_u16 >> ((width - 1) % 8) >> 1;
+            prop_assert_eq!(u16::from(above[size - 1]) & unused, 0);
+        }
     }
+
+    #[test]
+    fn any_payload_is_what_the_reference_reads(
+        payload in payloads(),
+        width in 1..400_usize,
+        colors in colors(),
+    ) {
+        const COUNT: usize = 5;
+        let levels: Vec<Vec<i64>> = (0..=255).map(|level| vec![level]).collect();
+        let mut reference = Reference::new(&payload, &levels, &[255]);
+        let rows = (0..COUNT).flat_map(|_| reference.row(width));
+        let wanted: Vec<u8> = rows.map(|pixel| pixel[0] as u8).collect();
+        let payloads = vec![(COUNT, payload)];
+        prop_assert!(decode(&mut Levels::<u8>(PhantomData), width, &payloads).0 == wanted);
+
+        let mut palette = Palette::<Rgb565, 6>::new(&colors);
+        let chains: Vec<Vec<i64>> = chains(&colors).into_iter().map(channels).collect();
+        let mut reference = Reference::new(&payloads[0].1, &chains, &[31, 63, 31]);
+        let rows = (0..COUNT).flat_map(|_| reference.row(width));
+        let pixel = |p: Vec<i64>| Rgb565((p[0] << 11 | p[1] << 5 | p[2]) as u16);
+        let wanted: Vec<u8> = rows.flat_map(|p| pixel(p).0.to_le_bytes()).collect();
+        prop_assert!(decode(&mut palette, width, &payloads).0 == wanted);
+    }
+
+    #[test]
+    fn symbols_are_places_in_the_chains(colors in colors()) {
+        let mut palette = Palette::<Rgb565, 6>::new(&colors);
+        let chains = chains(&colors);
+        prop_assert_eq!(palette.top(), chains.len() as i32 - 1);
+        for (symbol, pixel) in (0..).zip(&chains) {
+            prop_assert_eq!(palette.pixel(symbol), *pixel);
+            let first = chains.iter().position(|other| other == pixel).unwrap() as i32;
+            prop_assert_eq!(palette.symbol(*pixel), (first, true));
+        }
+        for pixel in (0..=u16::MAX).step_by(257).map(Rgb565) {
+            let (symbol, is_exact) = palette.symbol(pixel);
+            prop_assert_eq!(is_exact, chains.contains(&pixel));
+            prop_assert!((0..=palette.top()).contains(&symbol));
+        }
+    }
+}
+
+/// Any bytes, and bytes that are mostly alike, which make long runs of likely decisions.
+fn payloads() -> impl Strategy<Value = Vec<u8>> {
+    let even = (any::<u8>(), proptest::collection::vec((any::<u8>(), 0..80_usize), 0..5)).prop_map(
+        |(byte, others)| {
+            let mut bytes = vec![byte; 300];
+            others.into_iter().for_each(|(other, place)| bytes[place] = other);
+            bytes
+        },
+    );
+    prop_oneof![proptest::collection::vec(any::<u8>(), 0..300), even]
+}
+
+/// The different pixels of each base colour, one colour after the other.
+fn chains(colors: &[Rgb]) -> Vec<Rgb565> {
+    let white = [Rgb::new(255, 255, 255)];
+    let colors = if colors.is_empty() { &white } else { colors };
+    let chain = |color: &Rgb| {
+        let mut chain: Vec<_> = (0..=255).map(|level| Rgb565::shaded(*color, level)).collect();
+        chain.dedup();
+        chain
+    };
+    colors.iter().flat_map(chain).collect()
+}
+
+fn channels(pixel: Rgb565) -> Vec<i64> {
+    [pixel.0 >> 11, pixel.0 >> 5 & 63, pixel.0 & 31].map(i64::from).to_vec()
 }

@@ -1,17 +1,12 @@
 //! Sections in pictures: the cut faces are flat, and in a colour of their own.
 
-#![allow(clippy::unwrap_used)]
-
-#[path = "../examples/scene/mod.rs"]
-mod scene;
-
+use crate::scene::{PaintedTee, Scene};
 use scancsg::geom::{OrthographicRays, Ray, RayRow, Rays, Vec3, vec3};
 use scancsg::inspect::{Section, section};
 use scancsg::render::{Camera, Lambert, Orthographic, Picture, Rgb565, Size};
 use scancsg::scalar::I16F16;
 use scancsg::solid::{RayCast, Rgb, Scan, Slab, Solid};
 use scancsg::span::SpanList;
-use scene::{PaintedTee, Scene};
 use testkit::number::{Tested, coordinates};
 
 const RED: Rgb = Rgb::new(255, 0, 0);

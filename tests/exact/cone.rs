@@ -4,8 +4,6 @@
 //! crate rounds. Of a line that a cone grown by 10⁻⁶ at all sides meets, and one shrunk by as much as well, or
 //! neither of them, the class is clear: then the crate's must be the same.
 
-#![allow(clippy::unwrap_used)]
-
 use scancsg::geom::Ray;
 use scancsg::scalar::I16F16;
 use scancsg::solid::{Cone, RayCast};

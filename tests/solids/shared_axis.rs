@@ -1,8 +1,6 @@
 //! Solids on one axis: caps at the same position along it are the same plane, so no film shows where they are
 //! flush.
 
-#![allow(clippy::unwrap_used)]
-
 use proptest::prelude::*;
 use scancsg::constant;
 use scancsg::geom::{AxisLine, AxisLineError, Line, RayRow, Rays, Vec3, vec3};

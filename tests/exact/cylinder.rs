@@ -14,8 +14,6 @@
 //! In fixed point the axis is rounded to 2⁻²⁸ and the caps' offsets to half a unit, so ε = 2⁻²² for
 //! the wall and 2⁻¹⁶ for the caps; then a parameter is rounded to half a unit. `fixed_exact.rs` has the cylinders whose axis is not rounded.
 
-#![allow(clippy::unwrap_used, clippy::result_large_err)] // Err is no error here
-
 use dashu_int::IBig;
 use proptest::prelude::*;
 use scancsg::scalar::I16F16;

@@ -8,8 +8,6 @@
 //! In units of the grid, a wall's parameters are `2ᶠ (b ± √D)/a` with whole a, b and D, which is
 //! kept as it is: the order of such a number and a quotient is that of their squares.
 
-#![allow(clippy::unwrap_used, clippy::result_large_err)]
-
 use dashu_int::ops::SquareRoot;
 use dashu_int::{IBig, UBig};
 use fixed::types::{I8F24, I24F8};

@@ -1,11 +1,7 @@
 //! Indices, counts and faces that no picture has: public functions take any integer and panic at none.
 //! Tests have checks of overflow on.
 
-#![allow(clippy::unwrap_used)]
-
-#[path = "../examples/scene/mod.rs"]
-mod scene;
-
+use crate::scene::Scene;
 use scancsg::geom::{Extent, OrthographicRays, PerspectiveRays, RayRow, Rays, Vec3, vec3};
 use scancsg::render::{Camera, Size};
 use scancsg::scalar::{I16F16, Scalar};
@@ -14,7 +10,6 @@ use scancsg::scan::{ColumnRun, Empty};
 use scancsg::solid::{Cylinder, Many, Painted, Pipe, Rgb, Scan, Slab, Solid, Sphere, Union};
 use scancsg::span::walk::{Cold, Hot};
 use scancsg::span::{Crossing, Face, Operation, Span, SpanList, merge};
-use scene::Scene;
 
 const COUNTS: [u32; 12] = [
     0,

@@ -1,8 +1,6 @@
 //! The cylinder against 2,600 rays that were solved with 640-bit arithmetic, hard ones above all:
 //! far, grazing, nearly parallel, tiny, huge, on the surface. See `reference/README.md`.
 
-#![allow(clippy::unwrap_used)]
-
 use scancsg::geom::{Ray, RayError, vec3};
 use scancsg::solid::{Cylinder, CylinderWall, RayCast};
 use scancsg::span::{Face, SpanList};

@@ -6,8 +6,6 @@
 //! cuts off an edge for a few units in the last place of t may miss it. In fixed point, every class must be
 //! right; only a line along a face's plane is left out.
 
-#![allow(clippy::unwrap_used)]
-
 use dashu_int::IBig;
 use scancsg::geom::Ray;
 use scancsg::scalar::I16F16;

@@ -1,8 +1,6 @@
 //! Rays in fixed point from far away at small solids that are placed: a direction is rounded in the solid's
 //! frame, and what that loses must not grow with the way.
 
-#![allow(clippy::unwrap_used, clippy::panic)]
-
 use scancsg::geom::{Line, Pose, Vec3};
 use scancsg::scalar::{I16F16, Number};
 use scancsg::solid::{Bounds, ByLine, Placed, RayCast, Solid};

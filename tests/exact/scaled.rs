@@ -3,8 +3,6 @@
 //! All numbers are whole multiples of powers of two. With the matrix's adjugate in place of its inverse, so
 //! are the coefficients of the quadratic; the root alone is cut off, hundreds of bits below what counts.
 
-#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
-
 use dashu_int::ops::{BitTest, SquareRoot};
 use dashu_int::{IBig, UBig};
 use scancsg::geom::{AffineMap, Ray};

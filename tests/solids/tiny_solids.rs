@@ -1,7 +1,5 @@
 //! Solids of a few units of fixed point: what is seen of them faces whoever sees it.
 
-#![allow(clippy::unwrap_used)]
-
 use scancsg::geom::{Ray, Vec3};
 use scancsg::scalar::{I16F16, Scalar};
 use scancsg::solid::{Cylinder, CylinderWall, Sphere};

@@ -1,15 +1,12 @@
 //! Poses: turns about any axis, inverses, and frames that stay orthonormal however often they are composed.
 //! The model is a matrix in `f64`.
 
-#![allow(clippy::unwrap_used)]
-
 use proptest::prelude::*;
 use scancsg::geom::{Pose, Vec3};
 use scancsg::scalar::I16F16;
 use scancsg::solid::{Placed, RayCast, Sphere};
 use scancsg::span::SpanList;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use testkit::for_every_number;
 use testkit::number::{Tested, ball, coordinates, ray, vector};
 use testkit::vector::{V, add, cross, dot, length, sub, times, unit};
 

@@ -3,8 +3,6 @@
 //!
 //! `TORUS_RAYS=100000 cargo test --release --test torus_exact -- --nocapture` measures more rays.
 
-#![allow(clippy::unwrap_used)]
-
 use scancsg::geom::Ray;
 use scancsg::scalar::{I16F16, Scalar};
 use scancsg::solid::RayCast;

@@ -1,11 +1,6 @@
 //! Pipes against models in `f64` that have nothing in common with the crate's way: the distance
 //! from the parts of a polyline, and from a curve sampled closely.
 
-#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
-
-#[macro_use]
-extern crate testkit;
-
 use fixed::types::I20F12;
 use scancsg::constant;
 use scancsg::geom::{RayRow, Rays, Vec3, vec3};

@@ -1,19 +1,11 @@
 //! Sections, and mass properties against formulas and against `tee` integrated in another way.
 
-#![allow(clippy::unwrap_used)]
-
-#[path = "../examples/scene/mod.rs"]
-mod scene;
-
-#[macro_use]
-extern crate testkit;
-
+use crate::scene::Scene;
 use scancsg::geom::Vec3;
 use scancsg::inspect::{MassError, MassProperties};
 use scancsg::scalar::{I16F16, Number, Real};
 use scancsg::solid::{Bounds, Solid};
 use scancsg::span::SpanList;
-use scene::Scene;
 use std::f64::consts::PI;
 use testkit::number::{Tested, ball, between, coordinates, vector};
 use testkit::vector::{length, sub, unit};

@@ -1,8 +1,6 @@
 //! Pictures of scaled solids: what each pixel sees is what a single ray meets, which is held against exact
 //! arithmetic elsewhere; normals, bounds, nesting, and bad input.
 
-#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
-
 use proptest::prelude::*;
 use scancsg::constant;
 use scancsg::geom::{
@@ -15,7 +13,6 @@ use scancsg::solid::{
     Solid, Sphere,
 };
 use scancsg::span::{Face, SpanList};
-use testkit::for_every_number;
 use testkit::number::{Tested, ball, between, coordinates, ray, rod, vector};
 use testkit::vector::{V, dot, length, sub};
 
