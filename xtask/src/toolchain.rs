@@ -179,7 +179,7 @@ impl Toolchain {
     /// Builds the page's module.
     pub fn build_web(&self) -> Result<PathBuf, String> {
         let folder = root().join("target/web");
-        let mut command = self.cargo(WEB, "-Copt-level=s");
+        let mut command = self.cargo(WEB, "-Cstrip=symbols");
         command
             .args(["rustc", "--quiet", "--profile", PROFILE, "--package", "scancsg-web"])
             .args(["--lib", "--crate-type", "cdylib"])
