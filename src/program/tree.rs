@@ -1,0 +1,303 @@
+//! A boolean tree in postfix order, without its leaves.
+
+use crate::span::Operation;
+use crate::span::chain::Link;
+
+/// What is done with the leaves of a program. Leaf i is the i-th one in postfix order.
+///
+/// Every operator takes the place of two operands, so there are fewer operators than leaves. What isn't
+/// combined is united: so there is no unfinished tree.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Tree<const N: usize> {
+    operators: [Operator; N],
+    count: u16,
+    leaves: u16,
+}
+
+/// An operator, and how many leaves are in front of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Operator {
+    kind: Kind,
+    leaves: u16,
+}
+
+/// What an operator does with the two operands in front of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    Unite,
+    Intersect,
+    Subtract,
+}
+
+impl Kind {
+    pub(super) const fn operation(self) -> Operation {
+        match self {
+            Self::Unite => Operation::UNION,
+            Self::Intersect => Operation::INTERSECTION,
+            Self::Subtract => Operation::DIFFERENCE,
+        }
+    }
+
+    const fn is_subtraction(self) -> bool {
+        matches!(self, Self::Subtract)
+    }
+}
+
+impl<const N: usize> Tree<N> {
+    /// One leaf.
+    pub(super) const LEAF: Self =
+        Self { operators: [Operator { kind: Kind::Unite, leaves: 0 }; N], count: 0, leaves: 1 };
+
+    pub(super) const fn leaves(&self) -> usize {
+        self.leaves as usize
+    }
+
+    /// Adds a leaf, if there is room.
+    pub(super) const fn push(&mut self) -> bool {
+        let has_room = self.leaves() < N;
+        if has_room {
+            self.leaves += 1;
+        }
+        has_room
+    }
+
+    /// The number of operands that no operator has taken.
+    pub(super) const fn open(&self) -> usize {
+        self.leaves() - self.count as usize
+    }
+
+    /// Takes the last two operands for one.
+    pub(super) const fn combine(&mut self, kind: Kind) {
+        if self.open() > 1 {
+            self.operators[self.count as usize] = Operator { kind, leaves: self.leaves };
+            self.count += 1;
+        }
+    }
+
+    /// The first leaf of the last so many operands.
+    pub(super) const fn start_of(&self, operands: usize) -> usize {
+        let (mut missing, mut count, mut leaf) = (operands, self.count as usize, self.leaves());
+        while missing > 0 && leaf > 0 {
+            if count > 0 && self.operators[count - 1].leaves as usize == leaf {
+                count -= 1;
+                missing += 1;
+            } else {
+                leaf -= 1;
+                missing -= 1;
+            }
+        }
+        leaf
+    }
+
+    /// The place of the operator that takes a leaf as it is, and whether the leaf is its left operand.
+    const fn parent(&self, leaf: usize) -> Option<(usize, bool)> {
+        let mut place = 0;
+        while place < self.count as usize && self.operators[place].leaves as usize <= leaf {
+            place += 1;
+        }
+        let (mut operands, mut at) = (1, leaf + 1);
+        while place < self.count as usize {
+            // Leaves up to the next operator are operands behind it.
+            let next = self.operators[place].leaves as usize;
+            operands += next - at;
+            at = next;
+            match operands {
+                1 => return Some((place, false)),
+                2 => return Some((place, true)),
+                _ => operands -= 1,
+            }
+            place += 1;
+        }
+        None
+    }
+
+    /// Whether something is cut out of the leaf as it is.
+    pub(super) const fn is_cut_into(&self, leaf: usize) -> bool {
+        match self.parent(leaf) {
+            Some((place, is_left)) => is_left && self.operators[place].kind.is_subtraction(),
+            None => false,
+        }
+    }
+
+    /// Removes one of several leaves, and the operator that takes it as it is: the other operand stays.
+    pub(super) const fn remove(&mut self, leaf: usize) {
+        let (parent, count) = match self.parent(leaf) {
+            Some((place, _)) => (place, self.count - 1),
+            None => (N, self.count),
+        };
+        let mut place = 0;
+        while place < count as usize {
+            let behind = (place >= parent) as usize;
+            let mut operator = self.operators[place + behind];
+            if operator.leaves as usize > leaf {
+                operator.leaves -= 1;
+            }
+            self.operators[place] = operator;
+            place += 1;
+        }
+        (self.count, self.leaves) = (count, self.leaves - 1);
+    }
+
+    pub(super) fn as_ref(&self) -> TreeRef<'_> {
+        let operators = self.operators.get(..self.count.into()).unwrap_or_default();
+        TreeRef { operators, leaves: self.leaves }
+    }
+}
+
+/// What leaves and operators come to.
+pub(super) trait Fold<T> {
+    fn leaf(&mut self, index: u16) -> T;
+
+    fn combine(&mut self, operation: Operation, left: T, right: T) -> T;
+}
+
+/// A tree of any capacity.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct TreeRef<'a> {
+    operators: &'a [Operator],
+    leaves: u16,
+}
+
+impl TreeRef<'_> {
+    /// The leaves and operators in postfix order: `None` for a leaf. What is left is united.
+    pub(super) fn postfix(self) -> impl Iterator<Item = Option<Kind>> {
+        let mut operators = self.operators.iter().peekable();
+        let mut leaves = 0;
+        core::iter::from_fn(move || {
+            if let Some(operator) = operators.next_if(|operator| operator.leaves == leaves) {
+                return Some(Some(operator.kind));
+            }
+            leaves += 1;
+            (leaves <= self.leaves).then_some(None)
+        })
+    }
+
+    /// Computes what the whole tree comes to. `stack` has room for all leaves.
+    pub(super) fn fold<T: Copy>(self, stack: &mut [T], by: &mut impl Fold<T>) {
+        let (mut depth, mut index) = (0, 0);
+        fn take<T: Copy>(stack: &mut [T], by: &mut impl Fold<T>, operation: Operation) {
+            if let [.., left, right] = stack {
+                *left = by.combine(operation, *left, *right);
+            }
+        }
+        for kind in self.postfix() {
+            match kind {
+                Some(kind) => {
+                    take(stack.get_mut(..depth).unwrap_or_default(), by, kind.operation());
+                    depth -= 1;
+                }
+                None => {
+                    if let Some(top) = stack.get_mut(depth) {
+                        *top = by.leaf(index);
+                    }
+                    (depth, index) = (depth + 1, index + 1);
+                }
+            }
+        }
+        while depth > 1 {
+            take(stack.get_mut(..depth).unwrap_or_default(), by, Operation::UNION);
+            depth -= 1;
+        }
+    }
+
+    /// Makes a chain of the leaves that aren't [hidden](is_hidden) in `links`, and returns where it
+    /// begins. `pending` has room for all leaves.
+    pub(super) fn link(self, links: &mut [Link], pending: &mut [Link]) -> u16 {
+        /// Where the chain goes on with the leaf that was linked last.
+        const NEXT: u16 = HIDDEN;
+        let (mut operators, mut waiting, mut entry) = (self.operators, 0, Link::OUT);
+        let mut ends = Link { inside: Link::IN, outside: Link::OUT };
+        for leaf in (0..self.leaves).rev() {
+            while let [rest @ .., operator] = operators
+                && operator.leaves > leaf
+            {
+                // The right operand is linked first, so where it begins is known when the left one is.
+                let Link { inside, outside } = ends;
+                let left = match operator.kind {
+                    Kind::Unite => Link { inside, outside: NEXT },
+                    Kind::Intersect => Link { inside: NEXT, outside },
+                    Kind::Subtract => {
+                        ends = Link { inside: outside, outside: inside };
+                        Link { inside: NEXT, outside }
+                    }
+                };
+                if let Some(place) = pending.get_mut(waiting) {
+                    *place = left;
+                    waiting += 1;
+                }
+                operators = rest;
+            }
+            if let Some(link) = links.get_mut(usize::from(leaf)) {
+                if is_hidden(link) {
+                    entry = ends.outside;
+                } else {
+                    (*link, entry) = (ends, leaf);
+                }
+            }
+            ends = match waiting.checked_sub(1).and_then(|last| pending.get(last)) {
+                Some(&Link { inside, outside }) => {
+                    waiting -= 1;
+                    let known = |target| if target == NEXT { entry } else { target };
+                    Link { inside: known(inside), outside: known(outside) }
+                }
+                None => Link { inside: Link::IN, outside: entry },
+            };
+        }
+        entry
+    }
+}
+
+/// Marks a leaf that can't be seen.
+const HIDDEN: u16 = Link::IN - 1;
+
+/// Hides all leaves but these.
+pub(super) fn hide_all_but(seen: impl Iterator<Item = u16>, links: &mut [Link]) {
+    links.fill(Link { inside: HIDDEN, outside: Link::OUT });
+    show(seen, links);
+}
+
+fn show(seen: impl Iterator<Item = u16>, links: &mut [Link]) {
+    for leaf in seen {
+        if let Some(link) = links.get_mut(usize::from(leaf)) {
+            link.inside = Link::IN;
+        }
+    }
+}
+
+fn is_hidden(link: &Link) -> bool {
+    link.inside == HIDDEN
+}
+
+/// A chain and where it begins.
+pub(super) type Chain<'a> = (u16, &'a [Link]);
+
+/// Shortens a chain to the leaves that are seen, and returns where it begins. `all` are the leaves of the
+/// chain, the last one first.
+pub(super) fn shorten(
+    (entry, links): Chain<'_>,
+    all: impl Iterator<Item = u16> + Clone,
+    seen: impl Iterator<Item = u16>,
+    short: &mut [Link],
+) -> u16 {
+    for leaf in all.clone() {
+        if let Some(link) = short.get_mut(usize::from(leaf)) {
+            link.inside = HIDDEN;
+        }
+    }
+    show(seen, short);
+    let known = |short: &[Link], target: u16| match short.get(usize::from(target)) {
+        Some(link) if is_hidden(link) => link.outside,
+        _ => target,
+    };
+    for leaf in all {
+        let Some(&Link { inside, outside }) = links.get(usize::from(leaf)) else { continue };
+        let (inside, outside) = (known(short, inside), known(short, outside));
+        if let Some(link) = short.get_mut(usize::from(leaf)) {
+            link.outside = outside;
+            if !is_hidden(link) {
+                link.inside = inside;
+            }
+        }
+    }
+    known(short, entry)
+}
