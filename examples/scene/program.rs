@@ -41,7 +41,8 @@ fn drilled<S: Scene, const N: usize>(
 /// with the plate. Whatever N is, they take the same share of the picture.
 pub fn field<S: Scene, const N: usize>() -> Option<Program<Part<S>, N>> {
     let n = S::hundredths;
-    let plate = Cuboid::between(vec3(n(-200), n(-200), n(-10)), vec3(n(200), n(200), n(10))).ok()?;
+    let plate =
+        Cuboid::between(vec3(n(-200), n(-200), n(-10)), vec3(n(200), n(200), n(10))).ok()?;
     let side = N.isqrt() as i32;
     let pitch = 400 / side;
     let at = |index: i32| {

@@ -314,6 +314,15 @@ impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize>
         Some((InPlace { leaf, pose, color }, place.is_cut))
     }
 
+    /// The index of a part's pose.
+    pub(super) fn pose_of(&self, part: usize) -> Option<u8> {
+        self.places.get(part).map(|place| place.pose).filter(|pose| *pose != NO_POSE)
+    }
+
+    pub(super) fn poses(&self) -> &[Pose<L::Scalar>] {
+        self.poses.get(..self.pose_count.into()).unwrap_or_default()
+    }
+
     pub(super) fn leaves(&self) -> &[L] {
         self.leaves.get(..self.tree.leaves()).unwrap_or_default()
     }

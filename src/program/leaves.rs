@@ -107,6 +107,42 @@ macro_rules! leaves {
                 }
             }
 
+            /// Where all of them have a form as bytes. The lifetime keeps solids without a parameter from
+            /// being looked at here.
+            impl<$S: Scalar> $crate::program::Coded for $Leaves<$S>
+            where
+                $(for<'any> $Solid: $crate::program::Coded,)+
+            {
+                fn has_kind(kind: u8) -> bool {
+                    [$(<$Solid as $crate::program::Coded>::has_kind(kind)),+].contains(&true)
+                }
+
+                fn kind(&self) -> u8 {
+                    match self {
+                        $(Self::$Kind(solid) => $crate::program::Coded::kind(solid),)+
+                    }
+                }
+
+                fn write(
+                    &self,
+                    to: &mut $crate::program::Writer<'_>,
+                ) -> Result<(), $crate::program::BytesError> {
+                    match self {
+                        $(Self::$Kind(solid) => $crate::program::Coded::write(solid, to),)+
+                    }
+                }
+
+                fn read(
+                    kind: u8,
+                    from: &mut $crate::program::Reader<'_>,
+                ) -> Result<Self, $crate::program::BytesError> {
+                    $(if <$Solid as $crate::program::Coded>::has_kind(kind) {
+                        return $crate::program::Coded::read(kind, from).map(Self::$Kind);
+                    })+
+                    Err($crate::program::BytesError::Kind)
+                }
+            }
+
             /// A stage of one of the solids.
             #[derive(Debug, Clone, Copy)]
             pub enum Stage<$($Kind),+> {
@@ -167,7 +203,7 @@ macro_rules! leaves {
                     }
                 }
 
-                #[inline]
+                #[inline(always)]
                 fn contains<P: Path>(
                     &self,
                     view: &Self::View,
@@ -183,7 +219,7 @@ macro_rules! leaves {
                     }
                 }
 
-                #[inline]
+                #[inline(always)]
                 fn step<P: Path>(
                     &self,
                     view: &Self::View,

@@ -1,7 +1,7 @@
 //! Programs in pictures: which parts matter in a row and in a run of columns, and the walk through them.
 
 use super::build::Program;
-use super::tree::{Fold, hide_all_but, shorten};
+use super::tree::{Fold, hide, hide_all_but, shorten};
 use crate::geom::Rays;
 use crate::scalar::Scalar;
 use crate::scan::{ColumnRun, Empty, GroupRow, Member, Scan};
@@ -54,22 +54,30 @@ where
         let ProgramRow { parts, band, band_entry, run, .. } = row;
         let parts = parts.as_slice_mut();
         let last = parts.band();
+        if last != 0 {
+            hide(parts.active(), run);
+        }
         parts.set::<R, L>(self.leaves(), views, y, columns);
         if parts.band() != last {
             hide_all_but(parts.in_band(), band);
             *band_entry = self.tree().link(band, run);
+            hide_all_but(core::iter::empty(), run);
         }
     }
 
     fn enter(row: &mut Self::Row, column: u32) -> ColumnRun {
         let ProgramRow { parts, band, band_entry, run, run_entry } = row;
         let parts = parts.as_slice_mut();
-        let is_new = !parts.is_entered(column);
-        let ColumnRun { until, .. } = parts.enter::<R, L>(column);
-        if is_new {
-            *run_entry = shorten((*band_entry, band), parts.in_band(), parts.active(), run);
+        if parts.is_entered(column) {
+            return ColumnRun {
+                is_visible: *run_entry != Link::OUT,
+                ..parts.enter::<R, L>(column)
+            };
         }
-        ColumnRun { is_visible: *run_entry != Link::OUT, until }
+        hide(parts.active(), run);
+        let all = parts.enter::<R, L>(column);
+        *run_entry = shorten(*band_entry, band, parts.active(), run);
+        ColumnRun { is_visible: *run_entry != Link::OUT, ..all }
     }
 
     #[inline]

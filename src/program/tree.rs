@@ -268,35 +268,46 @@ fn is_hidden(link: &Link) -> bool {
     link.inside == HIDDEN
 }
 
-/// A chain and where it begins.
-pub(super) type Chain<'a> = (u16, &'a [Link]);
-
-/// Shortens a chain to the leaves that are seen, and returns where it begins. `all` are the leaves of the
-/// chain, the last one first.
-pub(super) fn shorten(
-    (entry, links): Chain<'_>,
-    all: impl Iterator<Item = u16> + Clone,
-    seen: impl Iterator<Item = u16>,
-    short: &mut [Link],
-) -> u16 {
-    for leaf in all.clone() {
-        if let Some(link) = short.get_mut(usize::from(leaf)) {
+/// Hides leaves.
+pub(super) fn hide(leaves: impl Iterator<Item = u16>, links: &mut [Link]) {
+    for leaf in leaves {
+        if let Some(link) = links.get_mut(usize::from(leaf)) {
             link.inside = HIDDEN;
         }
     }
-    show(seen, short);
-    let known = |short: &[Link], target: u16| match short.get(usize::from(target)) {
-        Some(link) if is_hidden(link) => link.outside,
-        _ => target,
+}
+
+/// Shortens a chain to the leaves that are seen, and returns where it begins. In `short` all are
+/// hidden.
+pub(super) fn shorten(
+    entry: u16,
+    links: &[Link],
+    seen: impl Iterator<Item = u16> + Clone,
+    short: &mut [Link],
+) -> u16 {
+    show(seen.clone(), short);
+    // Most leaves of a union go on with the same one.
+    let mut last = [Link::OUT; 2];
+    let mut known = |short: &[Link], target: u16| {
+        if target == last[0] {
+            return last[1];
+        }
+        let mut at = target;
+        while let (Some(link), Some(short)) =
+            (links.get(usize::from(at)), short.get(usize::from(at)))
+            && is_hidden(short)
+        {
+            at = link.outside;
+        }
+        last = [target, at];
+        at
     };
-    for leaf in all {
+    for leaf in seen {
         let Some(&Link { inside, outside }) = links.get(usize::from(leaf)) else { continue };
-        let (inside, outside) = (known(short, inside), known(short, outside));
+        let outside = known(short, outside);
+        let inside = known(short, inside);
         if let Some(link) = short.get_mut(usize::from(leaf)) {
-            link.outside = outside;
-            if !is_hidden(link) {
-                link.inside = inside;
-            }
+            *link = Link { inside, outside };
         }
     }
     known(short, entry)

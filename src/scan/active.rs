@@ -145,12 +145,12 @@ impl<R> GroupRow<[Member<R>]> {
     }
 
     /// The elements that may be seen in this band, the last one first.
-    pub(crate) fn in_band(&self) -> impl Iterator<Item = u16> + Clone {
+    pub(crate) fn in_band(&self) -> impl Iterator<Item = u16> {
         self.members.iter().take(self.band_count.into()).map(|member| member.in_band)
     }
 
     /// The active elements, in their order.
-    pub(crate) fn active(&self) -> impl Iterator<Item = u16> {
+    pub(crate) fn active(&self) -> impl Iterator<Item = u16> + Clone {
         let next = |index: &u16| Some(self.next_active(*index));
         core::iter::successors(Some(self.active), next).take_while(|index| *index != NONE)
     }

@@ -70,7 +70,8 @@ pub fn step<S: Scalar>(of: &mut impl Chained<S>, entry: u16, mut t: S) -> Step<S
             if step.next.t < next.t {
                 (next, turn, is_tie) = (step.next, link.after(!step.inside), false);
             } else if step.next.t == next.t {
-                is_tie = true;
+                // Where both lead to the same place, as in a union, the first one counts.
+                is_tie |= link.after(!step.inside) != turn;
             }
             leaf = link.after(step.inside);
         }

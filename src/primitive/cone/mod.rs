@@ -48,9 +48,9 @@ use crate::span::{Face, Shape, Span, SpanStack};
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cone<S: Scalar> {
-    taper: Taper<S>,
+    pub(crate) taper: Taper<S>,
     /// Their normal is the axis.
-    caps: Planes<S>,
+    pub(crate) caps: Planes<S>,
 }
 
 crate::error_text! {
@@ -207,7 +207,7 @@ impl<S: Scalar> Cone<S> {
         Self::checked(Cylinder::on_axis(axis, radii[0].max(radii[1]), from, to), radii)
     }
 
-    fn checked(
+    pub(crate) fn checked(
         around: Result<Cylinder<S>, CylinderError>,
         radii @ [low, high]: [S; 2],
     ) -> Result<Self, ConeError> {
