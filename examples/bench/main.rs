@@ -27,7 +27,7 @@ fn main() -> ! {
         say_number(count);
         say("\n");
     };
-    for parts::Part { name, inputs, work, idle } in parts::PARTS.iter().take(0) {
+    for parts::Part { name, inputs, work, idle } in parts::PARTS {
         // The difference leaves out what is done once.
         let all = |work| {
             let few = counter.instructions(work, 4);
@@ -35,7 +35,7 @@ fn main() -> ! {
         };
         report([name, ""], all(*work).saturating_sub(all(*idle)) / inputs);
     }
-    for frames::Frame { name, view, row, frame, naive } in frames::FRAMES.iter().take(0) {
+    for frames::Frame { name, view, row, frame, naive } in frames::FRAMES {
         // Row by row, because the counters of some boards don't reach far enough for a frame.
         let view = counter.instructions(*view, 0);
         let of_row = |y: u16| counter.instructions(*row, y.into()).saturating_sub(view);
@@ -71,13 +71,13 @@ fn main() -> ! {
 
 #[cfg(not(target_os = "none"))]
 fn main() {
-    for part in parts::PARTS.iter().take(0) {
+    for part in parts::PARTS {
         (part.work)(part.inputs);
         (part.idle)(part.inputs);
         println!("{} ran", part.name);
     }
     println!("points {}", parts::digest());
-    for frame in frames::FRAMES.iter().take(0) {
+    for frame in frames::FRAMES {
         (frame.view)(0);
         (frame.row)(0);
         (frame.frame)(0);

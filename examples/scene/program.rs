@@ -1,6 +1,7 @@
 //! Parts as programs: trees that are built at run time.
 
 use super::Scene;
+use super::housing::HousingScene;
 use scancsg::geom::vec3;
 use scancsg::program::Program;
 use scancsg::solid::{Cuboid, Cylinder, Sphere};
@@ -17,6 +18,15 @@ scancsg::leaves! {
 /// `tee` as a program.
 pub fn tee<S: Scene>() -> Option<Program<Part<S>, 10>> {
     drilled(S::TEE.left().map(Part::Cylinder), S::TEE.right().map(Part::Cylinder))
+}
+
+/// `housing` as a program.
+pub fn housing<S: HousingScene>() -> Option<Program<Part<S>, 15>> {
+    let part = S::HOUSING;
+    let body = core::iter::once(Part::Cuboid(*part.left().left()))
+        .chain(part.left().right().map(Part::Cylinder));
+    let bores = part.right().left().map(Part::Cylinder).into_iter();
+    drilled(body, bores.chain(part.right().right().map(Part::Sphere)))
 }
 
 /// Parts united, less others.

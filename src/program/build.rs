@@ -1,7 +1,7 @@
 //! Programs, and how they are built and changed.
 
 use super::in_place::InPlace;
-use super::tree::{Kind, Tree, TreeRef};
+use super::tree::{Kind, MOST_LEAVES, Tree, TreeRef};
 use crate::geom::Pose;
 use crate::solid::Rgb;
 use crate::span::Shape;
@@ -109,6 +109,7 @@ where
     pub const fn new(first: L) -> Self {
         const {
             assert!(PARTS > 0, "a program needs room for at least one part");
+            assert!(PARTS < MOST_LEAVES, "a program has less than 16,384 parts");
             assert!(POSES < NO_POSE as usize, "a program has at most 254 poses");
             assert!(PARTS * (L::FACES as usize) < u16::MAX as usize - 2, "too many faces");
         }

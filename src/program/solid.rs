@@ -4,7 +4,7 @@ use super::build::Program;
 use super::tree::Fold;
 use crate::geom::{Line, Vec3};
 use crate::scalar::Number;
-use crate::solid::{Rgb, Solid};
+use crate::solid::{Bounds, Rgb, Solid};
 use crate::span::{Face, Operation, Shape, SpanStack, StackFull, merge};
 
 impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize> Shape
@@ -36,6 +36,31 @@ where
         let [from, to] = [left, right].map(usize::from);
         self.is_full |= !self.is_full && merge(operation, self.stack, from, to).is_err();
         left
+    }
+}
+
+/// Bounds of the parts, and those of an operand that the result lies in.
+struct PartBounds<'a, P>(&'a P);
+
+impl<L: Solid, const PARTS: usize, const POSES: usize, const SPANS: usize> Fold<Bounds<L::Scalar>>
+    for PartBounds<'_, Program<L, PARTS, POSES, SPANS>>
+{
+    fn leaf(&mut self, index: u16) -> Bounds<L::Scalar> {
+        let part = self.0.in_place(index.into());
+        part.map_or(Bounds::Unbounded, |(part, _)| part.bounds())
+    }
+
+    fn combine(
+        &mut self,
+        operation: Operation,
+        left: Bounds<L::Scalar>,
+        right: Bounds<L::Scalar>,
+    ) -> Bounds<L::Scalar> {
+        match left {
+            _ if !operation.needs_left() => left.united(&right),
+            Bounds::Unbounded if operation == Operation::INTERSECTION => right,
+            _ => left,
+        }
     }
 }
 
@@ -83,6 +108,12 @@ impl<L: Solid, const PARTS: usize, const POSES: usize, const SPANS: usize> Solid
     /// Of a line with more spans than there is room for, none.
     fn spans(&self, line: &Line<L::Scalar>, first: Face, stack: &mut SpanStack<'_, L::Scalar>) {
         let _ = self.push_spans(line, first, stack);
+    }
+
+    fn bounds(&self) -> Bounds<L::Scalar> {
+        let mut stack = [Bounds::Unbounded; PARTS];
+        self.tree().fold(&mut stack, &mut PartBounds(self));
+        stack.first().copied().unwrap_or(Bounds::Unbounded)
     }
 
     fn normal(&self, face: Face, at: Vec3<L::Scalar>) -> Vec3<L::Scalar> {

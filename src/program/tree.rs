@@ -14,11 +14,29 @@ pub(super) struct Tree<const N: usize> {
     leaves: u16,
 }
 
-/// An operator, and how many leaves are in front of it.
+/// An operator, and in its lower bits how many leaves are in front of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Operator {
-    kind: Kind,
-    leaves: u16,
+pub(super) struct Operator(u16);
+
+/// More leaves than any tree has.
+pub(super) const MOST_LEAVES: usize = 1 << 14;
+
+impl Operator {
+    const fn new(kind: Kind, leaves: u16) -> Self {
+        Self((kind as u16) << 14 | leaves)
+    }
+
+    const fn leaves(self) -> u16 {
+        self.0 & (MOST_LEAVES as u16 - 1)
+    }
+
+    const fn kind(self) -> Kind {
+        match self.0 >> 14 {
+            0 => Kind::Unite,
+            1 => Kind::Intersect,
+            _ => Kind::Subtract,
+        }
+    }
 }
 
 /// What an operator does with the two operands in front of it.
@@ -45,8 +63,7 @@ impl Kind {
 
 impl<const N: usize> Tree<N> {
     /// One leaf.
-    pub(super) const LEAF: Self =
-        Self { operators: [Operator { kind: Kind::Unite, leaves: 0 }; N], count: 0, leaves: 1 };
+    pub(super) const LEAF: Self = Self { operators: [Operator(0); N], count: 0, leaves: 1 };
 
     pub(super) const fn leaves(&self) -> usize {
         self.leaves as usize
@@ -69,7 +86,7 @@ impl<const N: usize> Tree<N> {
     /// Takes the last two operands for one.
     pub(super) const fn combine(&mut self, kind: Kind) {
         if self.open() > 1 {
-            self.operators[self.count as usize] = Operator { kind, leaves: self.leaves };
+            self.operators[self.count as usize] = Operator::new(kind, self.leaves);
             self.count += 1;
         }
     }
@@ -78,7 +95,7 @@ impl<const N: usize> Tree<N> {
     pub(super) const fn start_of(&self, operands: usize) -> usize {
         let (mut missing, mut count, mut leaf) = (operands, self.count as usize, self.leaves());
         while missing > 0 && leaf > 0 {
-            if count > 0 && self.operators[count - 1].leaves as usize == leaf {
+            if count > 0 && self.operators[count - 1].leaves() as usize == leaf {
                 count -= 1;
                 missing += 1;
             } else {
@@ -92,13 +109,13 @@ impl<const N: usize> Tree<N> {
     /// The place of the operator that takes a leaf as it is, and whether the leaf is its left operand.
     const fn parent(&self, leaf: usize) -> Option<(usize, bool)> {
         let mut place = 0;
-        while place < self.count as usize && self.operators[place].leaves as usize <= leaf {
+        while place < self.count as usize && self.operators[place].leaves() as usize <= leaf {
             place += 1;
         }
         let (mut operands, mut at) = (1, leaf + 1);
         while place < self.count as usize {
             // Leaves up to the next operator are operands behind it.
-            let next = self.operators[place].leaves as usize;
+            let next = self.operators[place].leaves() as usize;
             operands += next - at;
             at = next;
             match operands {
@@ -114,7 +131,7 @@ impl<const N: usize> Tree<N> {
     /// Whether something is cut out of the leaf as it is.
     pub(super) const fn is_cut_into(&self, leaf: usize) -> bool {
         match self.parent(leaf) {
-            Some((place, is_left)) => is_left && self.operators[place].kind.is_subtraction(),
+            Some((place, is_left)) => is_left && self.operators[place].kind().is_subtraction(),
             None => false,
         }
     }
@@ -129,8 +146,8 @@ impl<const N: usize> Tree<N> {
         while place < count as usize {
             let behind = (place >= parent) as usize;
             let mut operator = self.operators[place + behind];
-            if operator.leaves as usize > leaf {
-                operator.leaves -= 1;
+            if operator.leaves() as usize > leaf {
+                operator.0 -= 1;
             }
             self.operators[place] = operator;
             place += 1;
@@ -164,8 +181,8 @@ impl TreeRef<'_> {
         let mut operators = self.operators.iter().peekable();
         let mut leaves = 0;
         core::iter::from_fn(move || {
-            if let Some(operator) = operators.next_if(|operator| operator.leaves == leaves) {
-                return Some(Some(operator.kind));
+            if let Some(operator) = operators.next_if(|operator| operator.leaves() == leaves) {
+                return Some(Some(operator.kind()));
             }
             leaves += 1;
             (leaves <= self.leaves).then_some(None)
@@ -209,11 +226,11 @@ impl TreeRef<'_> {
         let mut ends = Link { inside: Link::IN, outside: Link::OUT };
         for leaf in (0..self.leaves).rev() {
             while let [rest @ .., operator] = operators
-                && operator.leaves > leaf
+                && operator.leaves() > leaf
             {
                 // The right operand is linked first, so where it begins is known when the left one is.
                 let Link { inside, outside } = ends;
-                let left = match operator.kind {
+                let left = match operator.kind() {
                     Kind::Unite => Link { inside, outside: NEXT },
                     Kind::Intersect => Link { inside: NEXT, outside },
                     Kind::Subtract => {

@@ -57,6 +57,30 @@ impl<S: Scalar> Bounds<S> {
         (center.is_finite() && half.is_finite()).then_some(around)
     }
 
+    /// Bounds around two solids.
+    pub(crate) fn united(&self, other: &Self) -> Self {
+        let (Some([low, high]), Some([other_low, other_high])) = (self.corners(), other.corners())
+        else {
+            return Self::Unbounded;
+        };
+        let each = |of: fn(S, S) -> S, a: Vec3<S>, b: Vec3<S>| {
+            Vec3::new(of(a.x, b.x), of(a.y, b.y), of(a.z, b.z))
+        };
+        Self::Box { low: each(S::min, low, other_low), high: each(S::max, high, other_high) }
+    }
+
+    /// The corners of a box around the bounds.
+    fn corners(&self) -> Option<[Vec3<S>; 2]> {
+        let Around { center, half, .. } = self.middle()?;
+        if let Self::Box { low, high } = *self {
+            return Some([low, high]);
+        }
+        // Room for what rounding may move.
+        let room = S::uncertainty(center.max_abs() + half.max_abs()) + S::ROUNDING.wide();
+        let half = half + Vec3::new(room, room, room);
+        Some([center - half, center + half].map(|corner| corner.map(S::from_wide)))
+    }
+
     /// The bounds of the solid moved by a pose.
     pub(crate) fn placed(&self, pose: &Pose<S>) -> Self {
         let Some(around) = self.middle() else { return Self::Unbounded };
