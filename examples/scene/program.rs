@@ -53,7 +53,7 @@ pub fn field<S: Scene, const N: usize>() -> Option<Program<Part<S>, N>> {
     let n = S::hundredths;
     let plate =
         Cuboid::between(vec3(n(-200), n(-200), n(-10)), vec3(n(200), n(200), n(10))).ok()?;
-    let side = N.isqrt() as i32;
+    let side = (N.isqrt() as i32).max(1);
     let pitch = 400 / side;
     let at = |index: i32| {
         let (column, row) = (index % side, index / side);

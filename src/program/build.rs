@@ -128,7 +128,7 @@ where
     /// [`ProgramError::Parts`].
     pub const fn push(&mut self, part: L) -> Result<usize, ProgramError> {
         let index = self.tree.leaves();
-        if !self.tree.push() {
+        if index >= PARTS || !self.tree.push() {
             return Err(ProgramError::Parts);
         }
         self.leaves[index] = part;
@@ -284,7 +284,7 @@ impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize>
     /// # Errors
     /// [`ProgramError::NoPose`].
     pub const fn set_pose(&mut self, pose: usize, to: Pose<L::Scalar>) -> Result<(), ProgramError> {
-        if pose >= self.pose_count as usize {
+        if pose >= self.pose_count as usize || pose >= POSES {
             return Err(ProgramError::NoPose);
         }
         self.poses[pose] = to;

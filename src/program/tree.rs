@@ -65,8 +65,14 @@ impl<const N: usize> Tree<N> {
     /// One leaf.
     pub(super) const LEAF: Self = Self { operators: [Operator(0); N], count: 0, leaves: 1 };
 
+    /// The number of leaves; the compiler sees that there is room for them.
     pub(super) const fn leaves(&self) -> usize {
-        self.leaves as usize
+        if (self.leaves as usize) < N { self.leaves as usize } else { N }
+    }
+
+    /// The number of operators.
+    const fn count(&self) -> usize {
+        if (self.count as usize) < N { self.count as usize } else { N }
     }
 
     /// Adds a leaf, if there is room.
@@ -80,20 +86,21 @@ impl<const N: usize> Tree<N> {
 
     /// The number of operands that no operator has taken.
     pub(super) const fn open(&self) -> usize {
-        self.leaves() - self.count as usize
+        self.leaves().saturating_sub(self.count())
     }
 
     /// Takes the last two operands for one.
     pub(super) const fn combine(&mut self, kind: Kind) {
-        if self.open() > 1 {
-            self.operators[self.count as usize] = Operator::new(kind, self.leaves);
+        let count = self.count();
+        if self.open() > 1 && count < N {
+            self.operators[count] = Operator::new(kind, self.leaves);
             self.count += 1;
         }
     }
 
     /// The first leaf of the last so many operands.
     pub(super) const fn start_of(&self, operands: usize) -> usize {
-        let (mut missing, mut count, mut leaf) = (operands, self.count as usize, self.leaves());
+        let (mut missing, mut count, mut leaf) = (operands, self.count(), self.leaves());
         while missing > 0 && leaf > 0 {
             if count > 0 && self.operators[count - 1].leaves() as usize == leaf {
                 count -= 1;
@@ -109,11 +116,11 @@ impl<const N: usize> Tree<N> {
     /// The place of the operator that takes a leaf as it is, and whether the leaf is its left operand.
     const fn parent(&self, leaf: usize) -> Option<(usize, bool)> {
         let mut place = 0;
-        while place < self.count as usize && self.operators[place].leaves() as usize <= leaf {
+        while place < self.count() && self.operators[place].leaves() as usize <= leaf {
             place += 1;
         }
         let (mut operands, mut at) = (1, leaf + 1);
-        while place < self.count as usize {
+        while place < self.count() {
             // Leaves up to the next operator are operands behind it.
             let next = self.operators[place].leaves() as usize;
             operands += next - at;
@@ -143,9 +150,12 @@ impl<const N: usize> Tree<N> {
             None => (N, self.count),
         };
         let mut place = 0;
-        while place < count as usize {
-            let behind = (place >= parent) as usize;
-            let mut operator = self.operators[place + behind];
+        while place < count as usize && place < N {
+            let from = if place < parent { place } else { place + 1 };
+            if from >= N {
+                break;
+            }
+            let mut operator = self.operators[from];
             if operator.leaves() as usize > leaf {
                 operator.0 -= 1;
             }
