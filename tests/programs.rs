@@ -6,13 +6,13 @@
 #[macro_use]
 extern crate testkit;
 
-use scancsg::geom::{Axis, Pose, Ray, Rays, Vec3};
+use scancsg::geom::{AffineMap, Axis, Pose, Ray, Rays, Vec3};
 use scancsg::program::{LineError, Program, ProgramError};
 use scancsg::render::{Camera, Lambert, Orthographic, Perspective, Picture, Rgb565, Size};
 use scancsg::scalar::Scalar;
 use scancsg::solid::{
-    Bounds, Cuboid, Cylinder, Difference, HalfSpace, Painted, Placed, RayCast, Rgb, Scan, Solid,
-    Sphere, Torus, Union, first_seen,
+    Bounds, Cuboid, Cylinder, Difference, HalfSpace, Intersection, Painted, Placed, RayCast, Rgb,
+    Scaled, Scan, Solid, Sphere, Torus, Union, first_seen,
 };
 use scancsg::span::{Crossing, Face, Operation, Shape, Span, SpanList, merge};
 use testkit::number::{Tested, ball, vector};
@@ -21,6 +21,7 @@ use testkit::random::Random;
 for_every_number!(
     random_programs_are_the_merge_of_their_leaves,
     typed_trees_are_programs,
+    programs_are_operands,
     a_removed_part_was_never_there,
 );
 
@@ -397,6 +398,38 @@ where
         let one = pictures.0.scanline(y).and_then(|mut row| row.render(&mut rows[0]));
         assert_eq!(one, pictures.1.scanline(y).and_then(|mut row| row.render(&mut rows[1])));
         assert_eq!(rows[0], rows[1], "row {y}");
+    }
+}
+
+/// As an operand of a typed tree, moved, and scaled.
+fn programs_are_operands<S: Tested>() {
+    for seed in 0..20 {
+        let random = &mut Random::seeded(seed);
+        let scene = Scene::<S>::random(random, 3);
+        let [one, two, three] = [0, 1, 2].map(|index| scene.parts[index].part);
+        let mut program = Program::<Part<S>, 3>::new(one);
+        for part in [two, three] {
+            program.push(part).unwrap();
+        }
+        program.subtract(1).unwrap();
+        let tree = Union::new(one, Difference::new(two, three));
+        let (part, pose) = (random_part::<S>(random), scene.poses[1]);
+        let (orthographic, perspective) = cameras::<S>(random);
+        let one = Placed::new(Difference::new(program, part), pose);
+        let other = Placed::new(Difference::new(tree, part), pose);
+        same_pictures(&one, &other, &orthographic);
+        same_pictures(&one, &other, &perspective);
+        same_pictures(&(program & part), &Intersection::new(tree, part), &orthographic);
+        let map = AffineMap::scaling([1.0, 0.5, 1.5].map(S::near)).unwrap();
+        let (one, other) = (Scaled::new(program, map), Scaled::new(tree, map));
+        same_pictures(&one, &other, &orthographic);
+        same_pictures(&one, &other, &perspective);
+        // Each row of a scaled solid has a camera of its own: what a group keeps of the last one is no use.
+        let [one, two, three] = [0, 1, 2].map(|index| scene.parts[index].part);
+        let group = Scaled::new([one, two, three], map);
+        let union = Scaled::new(Union::new(one, Union::new(two, three)), map);
+        same_pictures(&group, &union, &orthographic);
+        same_pictures(&group, &union, &perspective);
     }
 }
 

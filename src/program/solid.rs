@@ -4,7 +4,7 @@ use super::build::Program;
 use super::tree::Fold;
 use crate::geom::{Line, Vec3};
 use crate::scalar::Number;
-use crate::solid::{Bounds, Rgb, Solid};
+use crate::solid::{Bounds, Rgb, Solid, operators};
 use crate::span::{Face, Operation, Shape, SpanStack, StackFull, merge};
 
 impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize> Shape
@@ -141,4 +141,9 @@ impl<L: Solid, const PARTS: usize, const POSES: usize, const SPANS: usize> Solid
     fn color(&self, face: Face) -> Option<Rgb> {
         self.part_of(face).and_then(|(part, _, face)| part.color(face))
     }
+}
+
+operators! {
+    [L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize]
+    Program<L, PARTS, POSES, SPANS>,
 }
