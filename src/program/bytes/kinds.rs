@@ -1,9 +1,10 @@
 //! The solids that have a form as bytes.
 
 use super::{BytesError, Reader, Writer};
+use crate::geom::Direction;
 use crate::quadric::{HalfSpace, Planes, Ring, Taper, Wall};
 use crate::scalar::Scalar;
-use crate::solid::{Bounds, Cone, Cuboid, Cylinder, Solid, Sphere, Torus};
+use crate::solid::{Bounds, Cone, Cuboid, Cylinder, Polyhedron, Solid, Sphere, Torus};
 use crate::span::Shape;
 
 /// A solid that has a form as bytes, or an enum of several.
@@ -99,10 +100,47 @@ coded! {
     HalfSpace = 6: |solid, to| {
         to.direction(&solid.normal)?;
         to.number(solid.offset)
-    }, |from| {
-        let (normal, offset) = (from.direction()?, from.number::<S>()?);
-        if offset.is_within_range() { Ok(HalfSpace { normal, offset }) } else { Err(BytesError::Solid) }
-    };
+    }, |from| half_space::<S>(from);
+}
+
+/// As many faces as there are, and the corners of a box around them, which isn't computed again.
+impl<S: Scalar, const N: usize> Coded for Polyhedron<S, N> {
+    fn has_kind(kind: u8) -> bool {
+        kind == POLYHEDRON
+    }
+
+    fn kind(&self) -> u8 {
+        POLYHEDRON
+    }
+
+    fn write(&self, to: &mut Writer<'_>) -> Result<(), BytesError> {
+        let count = u8::try_from(self.faces().len()).map_err(|_| BytesError::Length)?;
+        to.bytes(&[count])?;
+        self.faces().iter().try_for_each(|face| face.write(to))?;
+        [self.low, self.high].into_iter().try_for_each(|corner| to.vector(corner))
+    }
+
+    fn read(kind: u8, from: &mut Reader<'_>) -> Result<Self, BytesError> {
+        if kind != POLYHEDRON {
+            return Err(BytesError::Kind);
+        }
+        let [count] = from.array()?;
+        let mut faces = [HalfSpace { normal: Direction::Z, offset: S::ZERO }; N];
+        let used = faces.get_mut(..count.into()).filter(|used| !used.is_empty());
+        for face in used.ok_or(BytesError::Solid)? {
+            *face = half_space(from)?;
+        }
+        let (low, high) = (from.vector()?, from.vector()?);
+        Cuboid::between(low, high).map_err(|_| BytesError::Solid)?;
+        Ok(Self { faces, count: count.into(), low, high })
+    }
+}
+
+const POLYHEDRON: u8 = 7;
+
+fn half_space<S: Scalar>(from: &mut Reader<'_>) -> Result<HalfSpace<S>, BytesError> {
+    let (normal, offset) = (from.direction()?, from.number::<S>()?);
+    if offset.is_within_range() { Ok(HalfSpace { normal, offset }) } else { Err(BytesError::Solid) }
 }
 
 fn planes<S: Scalar>(planes: &Planes<S>, to: &mut Writer<'_>) -> Result<(), BytesError> {
