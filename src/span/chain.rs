@@ -60,7 +60,49 @@ pub fn contains<S: Scalar>(of: &mut impl Chained<S>, entry: u16, t: S) -> bool {
     leaf == Link::IN
 }
 
-/// What lies behind `t` in the whole.
+/// What lies behind `t` in the whole, from the question at `entry` on.
+///
+/// ```
+/// use scancsg::span::chain::{Chained, Link, step};
+/// use scancsg::span::walk::Step;
+/// use scancsg::span::{Crossing, Face};
+///
+/// /// Two intervals, the first less the second: a ray inside the first one isn't inside the second.
+/// struct Less([[f32; 2]; 2]);
+///
+/// impl Chained<f32> for Less {
+///     fn link(&self, leaf: u16) -> Option<Link> {
+///         match leaf {
+///             0 => Some(Link { inside: 1, outside: Link::OUT }),
+///             1 => Some(Link { inside: Link::OUT, outside: Link::IN }),
+///             _ => None,
+///         }
+///     }
+///
+///     fn contains(&mut self, leaf: u16, t: f32) -> bool {
+///         self.step(leaf, t).inside
+///     }
+///
+///     fn step(&mut self, leaf: u16, t: f32) -> Step<f32> {
+///         let [enter, exit] = self.0[usize::from(leaf)];
+///         let at = |t| Crossing { t, face: Face(leaf) };
+///         match () {
+///             () if t < enter => Step { inside: false, next: at(enter) },
+///             () if t < exit => Step { inside: true, next: at(exit) },
+///             () => Step::OUTSIDE,
+///         }
+///     }
+///
+///     fn tied(&mut self, _: f32) -> Face {
+///         Face(0) // the left operand, where it is crossed
+///     }
+/// }
+///
+/// // From 0 to 4, less what is from 1 to 2.
+/// let first = step(&mut Less([[0.0, 4.0], [1.0, 2.0]]), 0, 0.0);
+/// assert!(first.inside);
+/// assert_eq!(first.next, Crossing { t: 1.0, face: Face(1) });
+/// ```
 #[inline(always)]
 pub fn step<S: Scalar>(of: &mut impl Chained<S>, entry: u16, mut t: S) -> Step<S> {
     loop {
@@ -86,6 +128,67 @@ pub fn step<S: Scalar>(of: &mut impl Chained<S>, entry: u16, mut t: S) -> Step<S
                 next.face = of.tied(t);
             }
             return Step { inside, next };
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Nested intervals: leaf i reaches from i to 2n − i. Each is less the next one, which is less the
+    /// next one.
+    struct Nested {
+        count: u16,
+        asked: usize,
+    }
+
+    impl Chained<f32> for Nested {
+        fn link(&self, leaf: u16) -> Option<Link> {
+            let [even, odd] = [Link::IN, Link::OUT];
+            let (own, other) = if leaf % 2 == 0 { (even, odd) } else { (odd, even) };
+            let next = leaf.saturating_add(1);
+            let inside = if next < self.count { next } else { own };
+            (leaf < self.count).then_some(Link { inside, outside: other })
+        }
+
+        fn contains(&mut self, leaf: u16, t: f32) -> bool {
+            self.step(leaf, t).inside
+        }
+
+        fn step(&mut self, leaf: u16, t: f32) -> Step<f32> {
+            self.asked += 1;
+            let (enter, exit) = (f32::from(leaf), f32::from(2 * self.count - leaf));
+            let at = |t| Crossing { t, face: Face(leaf) };
+            match () {
+                () if t < enter => Step { inside: false, next: at(enter) },
+                () if t < exit => Step { inside: true, next: at(exit) },
+                () => Step::OUTSIDE,
+            }
+        }
+
+        fn tied(&mut self, _: f32) -> Face {
+            Face(u16::MAX)
+        }
+    }
+
+    /// However deep a tree is, each of its crossings costs at most two questions to each leaf.
+    #[test]
+    fn the_work_is_bounded() {
+        for count in [1, 2, 7, 64, 255] {
+            let mut nested = Nested { count, asked: 0 };
+            let (mut t, mut inside, mut crossings) = (-1.0, false, 0);
+            loop {
+                let next = step(&mut nested, 0, t);
+                assert_eq!(next.inside, inside);
+                if next.next.t == f32::INFINITY {
+                    break;
+                }
+                (t, inside, crossings) = (next.next.t, !inside, crossings + 1);
+            }
+            // All of them: each one turns the whole.
+            assert_eq!(crossings, 2 * usize::from(count));
+            assert!(nested.asked <= 2 * (crossings + 1) * usize::from(count), "{}", nested.asked);
         }
     }
 }
