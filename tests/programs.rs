@@ -6,7 +6,7 @@
 #[macro_use]
 extern crate testkit;
 
-use scancsg::geom::{AffineMap, Axis, Pose, Ray, Rays, Vec3};
+use scancsg::geom::{AffineMap, Axis, Line, Pose, Ray, Rays, Vec3};
 use scancsg::program::{LineError, Program, ProgramError};
 use scancsg::render::{Camera, Lambert, Orthographic, Perspective, Picture, Rgb565, Size};
 use scancsg::scalar::Scalar;
@@ -14,7 +14,7 @@ use scancsg::solid::{
     Bounds, Cuboid, Cylinder, Difference, HalfSpace, Intersection, Painted, Placed, RayCast, Rgb,
     Scaled, Scan, Solid, Sphere, Torus, Union, first_seen,
 };
-use scancsg::span::{Crossing, Face, Operation, Shape, Span, SpanList, merge};
+use scancsg::span::{Crossing, Face, Operation, Shape, Span, SpanList, SpanStack, merge};
 use testkit::number::{Tested, ball, vector};
 use testkit::random::Random;
 
@@ -543,6 +543,48 @@ fn too_many_spans_of_a_ray_are_an_error() {
     let mut picture =
         Picture::new(&beads, camera.as_ref().unwrap(), size, light, Rgb565::default());
     assert_eq!(picture.scanline(0).unwrap().seen(0).unwrap().t, -3.25);
+}
+
+/// What is cut out of a part that a ray misses isn't asked for.
+#[test]
+fn a_missed_part_needs_no_holes() {
+    use std::cell::Cell;
+    thread_local!(static ASKED: Cell<usize> = const { Cell::new(0) });
+
+    #[derive(Debug, Clone, Copy)]
+    struct Counted(Sphere<f32>);
+
+    impl Shape for Counted {
+        type Scalar = f32;
+        const SPANS: usize = 1;
+        const FACES: u16 = 1;
+    }
+
+    impl Solid for Counted {
+        fn spans(&self, line: &Line<f32>, first: Face, stack: &mut SpanStack<'_, f32>) {
+            ASKED.set(ASKED.get() + 1);
+            self.0.spans(line, first, stack);
+        }
+
+        fn normal(&self, face: Face, at: Vec3<f32>) -> Vec3<f32> {
+            self.0.normal(face, at)
+        }
+    }
+
+    let part = |x, r| Counted(ball([x, 0.0, 0.0], r));
+    let mut program = Program::<Counted, 8>::new(part(0.0, 1.0));
+    for x in [-0.5, 0.0, 0.5] {
+        program.push(part(x, 0.125)).unwrap();
+    }
+    program.subtract(3).unwrap();
+    program.push(part(5.0, 1.0)).unwrap();
+    let mut list = SpanList::<f32, 32>::new();
+    for (x, asked, spans) in [(0.75, 5, 1), (0.0, 5, 2), (5.0, 2, 1), (9.0, 2, 0)] {
+        ASKED.set(0);
+        let ray = Ray::new(vector([x, 0.0, 9.0]), vector([0.0, 0.0, -1.0])).unwrap();
+        assert_eq!(program.trace(&ray, &mut list).unwrap().len(), spans);
+        assert_eq!(ASKED.get(), asked, "at {x}");
+    }
 }
 
 /// A part in flash.

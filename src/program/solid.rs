@@ -37,6 +37,10 @@ where
         self.is_full |= !self.is_full && merge(operation, self.stack, from, to).is_err();
         left
     }
+
+    fn is_nothing(&self, start: u16) -> bool {
+        self.stack.len() == usize::from(start)
+    }
 }
 
 /// Bounds of the parts, and those of an operand that the result lies in.

@@ -176,6 +176,27 @@ pub(super) trait Fold<T> {
     fn leaf(&mut self, index: u16) -> T;
 
     fn combine(&mut self, operation: Operation, left: T, right: T) -> T;
+
+    /// Whether an operand is empty, so that nothing need be cut out of it.
+    fn is_nothing(&self, _: T) -> bool {
+        false
+    }
+}
+
+/// The operator whose left operand is what the leaves up to `index` came to last, if it is nothing
+/// without that; and the operators behind it.
+fn that_needs_left(operators: &[Operator], index: u16) -> Option<(Operator, &[Operator])> {
+    let (mut operands, mut at, mut rest) = (1, index, operators);
+    while let [operator, behind @ ..] = rest {
+        operands += operator.leaves().saturating_sub(at);
+        (at, rest) = (operator.leaves(), behind);
+        match operands {
+            1 => return None,
+            2 => return operator.kind().operation().needs_left().then_some((*operator, behind)),
+            _ => operands -= 1,
+        }
+    }
+    None
 }
 
 /// A tree of any capacity.
@@ -201,24 +222,32 @@ impl TreeRef<'_> {
 
     /// Computes what the whole tree comes to. `stack` has room for all leaves.
     pub(super) fn fold<T: Copy>(self, stack: &mut [T], by: &mut impl Fold<T>) {
-        let (mut depth, mut index) = (0, 0);
         fn take<T: Copy>(stack: &mut [T], by: &mut impl Fold<T>, operation: Operation) {
             if let [.., left, right] = stack {
                 *left = by.combine(operation, *left, *right);
             }
         }
-        for kind in self.postfix() {
-            match kind {
-                Some(kind) => {
-                    take(stack.get_mut(..depth).unwrap_or_default(), by, kind.operation());
-                    depth -= 1;
+        let (mut depth, mut index, mut operators) = (0, 0, self.operators);
+        loop {
+            match operators {
+                [operator, rest @ ..] if operator.leaves() <= index => {
+                    let operation = operator.kind().operation();
+                    take(stack.get_mut(..depth).unwrap_or_default(), by, operation);
+                    (depth, operators) = (depth - 1, rest);
                 }
-                None => {
+                _ if index < self.leaves => {
                     if let Some(top) = stack.get_mut(depth) {
                         *top = by.leaf(index);
                     }
                     (depth, index) = (depth + 1, index + 1);
                 }
+                _ => break,
+            }
+            let top = depth.checked_sub(1).and_then(|last| stack.get(last));
+            while top.is_some_and(|top| by.is_nothing(*top))
+                && let Some((operator, rest)) = that_needs_left(operators, index)
+            {
+                (index, operators) = (operator.leaves(), rest);
             }
         }
         while depth > 1 {
