@@ -7,6 +7,7 @@
 //! | to | use |
 //! |---|---|
 //! | make parts, combine them, cast single rays at them | [`solid`] |
+//! | build parts at run time | [`program`] |
 //! | render pictures, with shading and pixels of your choice | [`render`] |
 //! | cut parts open, know their volume and moments | [`inspect`] |
 //! | send pictures through a serial line, and receive them | [`stream`] |
@@ -75,6 +76,7 @@ pub mod inspect;
 pub mod interop;
 mod numeric;
 mod primitive;
+pub mod program;
 mod quadric;
 mod query;
 pub mod render;

@@ -1,6 +1,6 @@
 //! Rigid motions.
 
-use super::direction::{Axis, Direction};
+use super::direction::{Axis, Direction, is_rounded};
 use super::ray::Line;
 use super::vec3::{Vec3, vec3};
 use crate::scalar::{ConstOps, Number, Real, Scalar, per_scalar};
@@ -185,6 +185,23 @@ impl<S: Scalar> Pose<S> {
         let [x, y, z] = self.axes;
         let axes = [Vec3::new(x.x, y.x, z.x), Vec3::new(x.y, y.y, z.y), Vec3::new(x.z, y.z, z.z)];
         Self { axes, translation: self.direction_back(-self.translation) }.checked()
+    }
+
+    /// The images of the axes, and of the origin.
+    pub(crate) fn frame(&self) -> ([Vec3<S::Unit>; 3], Vec3<S>) {
+        (self.axes, self.translation)
+    }
+
+    /// The motion that takes the axes and the origin there, if it is a rigid one up to rounding.
+    pub(crate) fn of_frame(axes: [Vec3<S::Unit>; 3], translation: Vec3<S>) -> Option<Self> {
+        let [x, y, z] = axes.map(|axis| axis.map(S::wide_unit));
+        let is_frame = [(x, y), (y, z), (z, x)].into_iter().all(|(one, other)| {
+            is_rounded(one.dot_compensated(one), S::Wide::ONE)
+                && is_rounded(one.dot_compensated(other), S::Wide::ZERO)
+        });
+        let is_right_handed = x.cross(y).dot(z) > S::Wide::ZERO;
+        let is_rigid = is_frame && is_right_handed && translation.is_finite();
+        Self { axes, translation }.checked().ok().filter(|_| is_rigid)
     }
 
     fn checked(self) -> Result<Self, PoseError> {

@@ -63,5 +63,6 @@ pub use crate::scan::bounds::Bounds;
 pub use crate::span::Shape;
 pub use combine::{Boolean, Difference, Intersection, Many, ManyError, Union};
 pub use compound::{Capsule, RoundedCuboid};
+pub(crate) use operators::operators;
 pub use pipe::{Pipe, PipeError};
 pub use wrap::{ByLine, Painted, Placed, Scaled, Wrap};

@@ -129,6 +129,17 @@ impl<S> SpanStack<'_, S> {
         self.spans.len()
     }
 
+    /// How many more spans there is room for.
+    #[inline]
+    pub(crate) fn room(&self) -> usize {
+        self.spans.capacity() - self.spans.len()
+    }
+
+    /// Drops the spans from `start` on.
+    pub(crate) fn truncate(&mut self, start: usize) {
+        self.spans.truncate(start);
+    }
+
     /// Drops the spans from `start` on that have no length, or don't lie behind the one before them.
     pub(crate) fn keep_ordered(&mut self, start: usize)
     where

@@ -5,6 +5,7 @@
 //! every span has a length, and there is a gap between any two. So a face that two solids share
 //! leaves no trace in their union, and a solid minus itself is empty.
 
+pub mod chain;
 mod list;
 mod merge;
 mod room;

@@ -18,6 +18,7 @@ const LAYERS: [&str; 14] = [
     "query",
     "primitive",
     "solid",
+    "program",
     "inspect",
     "render",
     "stream",

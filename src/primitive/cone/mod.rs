@@ -49,9 +49,9 @@ use core::ops::Range;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cone<S: Scalar> {
-    taper: Taper<S>,
+    pub(crate) taper: Taper<S>,
     /// Their normal is the axis.
-    caps: Planes<S>,
+    pub(crate) caps: Planes<S>,
 }
 
 crate::error_text! {
@@ -219,7 +219,7 @@ impl<S: Scalar> Cone<S> {
         Self::checked(Cylinder::on_axis(axis, radii[0].max(radii[1]), from, to), radii)
     }
 
-    fn checked(
+    pub(crate) fn checked(
         around: Result<Cylinder<S>, CylinderError>,
         radii @ [low, high]: [S; 2],
     ) -> Result<Self, ConeError> {

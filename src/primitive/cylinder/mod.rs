@@ -217,7 +217,11 @@ impl<S: Scalar> Cylinder<S> {
         Self::checked(axis.first(), radius, Planes { normal: axis.direction(), low, high })
     }
 
-    fn checked(base: Vec3<S>, radius: S, caps: Planes<S>) -> Result<Self, CylinderError> {
+    pub(crate) fn checked(
+        base: Vec3<S>,
+        radius: S,
+        caps: Planes<S>,
+    ) -> Result<Self, CylinderError> {
         let Planes { low, high, .. } = caps;
         match () {
             () if !(base.is_finite() && radius.is_finite()) => Err(CylinderError::NotFinite),

@@ -53,10 +53,10 @@ use crate::span::{Face, Shape, SpanStack};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Polyhedron<S: Scalar, const N: usize, F = [HalfSpace<S>; N]> {
     /// Those beyond `count` aren't used.
-    faces: F,
-    count: u16,
-    low: Vec3<S>,
-    high: Vec3<S>,
+    pub(crate) faces: F,
+    pub(crate) count: u16,
+    pub(crate) low: Vec3<S>,
+    pub(crate) high: Vec3<S>,
 }
 
 per_scalar! { $S: impl[const N: usize] Polyhedron<$S, N> {
