@@ -6,18 +6,18 @@ use std::sync::Arc;
 
 /// A part: a tree of booleans.
 #[derive(Debug, Clone, Default)]
-pub enum Tree {
+pub enum Tree<L = Solid> {
     /// Nothing.
     #[default]
     Empty,
     /// A solid.
-    Solid(Solid),
+    Solid(L),
     /// What is in any.
-    Union(Vec<Tree>),
+    Union(Vec<Tree<L>>),
     /// What is in all.
-    Intersection(Vec<Tree>),
+    Intersection(Vec<Tree<L>>),
     /// What is in the first, and in none of the others.
-    Difference(Box<Tree>, Vec<Tree>),
+    Difference(Box<Tree<L>>, Vec<Tree<L>>),
 }
 
 /// A solid of a tree.
@@ -102,9 +102,16 @@ impl Tree {
         Self::Solid(Solid { form, map: Map::IDENTITY, color: None, line })
     }
 
+    /// Puts another map behind that of every solid.
+    pub fn place(&mut self, map: &Map) {
+        self.change_each(&mut |solid| solid.map = map.after(&solid.map));
+    }
+}
+
+impl<L> Tree<L> {
     /// What is in any of the trees.
     #[must_use]
-    pub fn union(trees: impl IntoIterator<Item = Tree>) -> Self {
+    pub fn union(trees: impl IntoIterator<Item = Self>) -> Self {
         let mut members = Vec::new();
         for tree in trees {
             match tree {
@@ -122,7 +129,7 @@ impl Tree {
 
     /// What is in all of the trees.
     #[must_use]
-    pub fn intersection(trees: impl IntoIterator<Item = Tree>) -> Self {
+    pub fn intersection(trees: impl IntoIterator<Item = Self>) -> Self {
         let mut members = Vec::new();
         for tree in trees {
             match tree {
@@ -140,7 +147,7 @@ impl Tree {
 
     /// What is in the first tree and in none of the others.
     #[must_use]
-    pub fn difference(first: Tree, others: impl IntoIterator<Item = Tree>) -> Self {
+    pub fn difference(first: Self, others: impl IntoIterator<Item = Self>) -> Self {
         let mut cutters = Vec::new();
         for tree in others {
             match tree {
@@ -161,7 +168,7 @@ impl Tree {
     }
 
     /// Calls `each` for every solid.
-    pub fn for_each<'a>(&'a self, each: &mut impl FnMut(&'a Solid)) {
+    pub fn for_each<'a>(&'a self, each: &mut impl FnMut(&'a L)) {
         match self {
             Self::Empty => {}
             Self::Solid(solid) => each(solid),
@@ -176,7 +183,7 @@ impl Tree {
     }
 
     /// Calls `change` for every solid.
-    pub fn change_each(&mut self, change: &mut impl FnMut(&mut Solid)) {
+    pub fn change_each(&mut self, change: &mut impl FnMut(&mut L)) {
         match self {
             Self::Empty => {}
             Self::Solid(solid) => change(solid),
@@ -190,16 +197,28 @@ impl Tree {
         }
     }
 
-    /// Puts another map behind that of every solid.
-    pub fn place(&mut self, map: &Map) {
-        self.change_each(&mut |solid| solid.map = map.after(&solid.map));
+    /// The same tree of other leaves. A leaf that becomes none is empty.
+    pub fn try_map<M, E>(self, each: &mut impl FnMut(L) -> Result<Option<M>, E>) -> Result<Tree<M>, E> {
+        let mut all = |trees: Vec<Self>| -> Result<Vec<_>, E> {
+            trees.into_iter().map(|tree| tree.try_map(&mut *each)).collect()
+        };
+        Ok(match self {
+            Self::Empty => Tree::Empty,
+            Self::Union(members) => Tree::union(all(members)?),
+            Self::Intersection(members) => Tree::intersection(all(members)?),
+            Self::Difference(first, others) => {
+                let others = all(others)?;
+                Tree::difference(first.try_map(each)?, others)
+            }
+            Self::Solid(leaf) => each(leaf)?.map_or(Tree::Empty, Tree::Solid),
+        })
     }
 
     /// How many solids, operators and levels of operators there are. A union of five counts as four operators.
     #[must_use]
     pub fn counts(&self) -> Counts {
-        let of_many = |members: &mut dyn Iterator<Item = &Tree>| {
-            members.map(Tree::counts).reduce(|sum, more| Counts {
+        let of_many = |members: &mut dyn Iterator<Item = &Self>| {
+            members.map(Self::counts).reduce(|sum, more| Counts {
                 solids: sum.solids + more.solids,
                 operators: sum.operators + more.operators + 1,
                 levels: sum.levels.max(more.levels),

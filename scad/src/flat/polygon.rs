@@ -54,6 +54,15 @@ impl Polygon {
         self.parts.iter().flatten().flatten().copied()
     }
 
+    /// The lowest and the highest coordinates.
+    #[must_use]
+    pub fn bounds(&self) -> Option<[Point; 2]> {
+        let join = |[low, high]: [Point; 2], [l, h]: [Point; 2]| {
+            [[low[0].min(l[0]), low[1].min(l[1])], [high[0].max(h[0]), high[1].max(h[1])]]
+        };
+        self.points().map(|point| [point, point]).reduce(join)
+    }
+
     /// Its image under a map.
     #[must_use]
     pub fn mapped(&self, map: &FlatMap) -> Self {
