@@ -1,5 +1,6 @@
 //! The solids of a scene, along the axes of their frames.
 
+use super::cone::Frustum;
 use super::convex::HalfSpaces;
 use super::walk::NOWHERE;
 use crate::error::Error;
@@ -22,13 +23,15 @@ pub(super) struct Leaf {
     pub(super) first: u16,
     /// The box around it, in the scene.
     pub(super) corners: [Vector; 2],
+    /// Whether it is cut out of something: then the part is where its normals point to.
+    is_cut: bool,
 }
 
 #[derive(Debug)]
 enum Kind {
     Cuboid(Cuboid<f64>),
     Cylinder(Cylinder<f64>),
-    Cone(Cone<f64>),
+    Cone(Frustum),
     Sphere(Sphere<f64>),
     Torus(Torus<f64>),
     HalfSpaces(HalfSpaces),
@@ -45,7 +48,7 @@ pub(super) fn into_frame(axes: &[Vector; 3], line: &Line<f64>) -> Line<f64> {
 }
 
 impl Leaf {
-    pub(super) fn of(placed: &Placed, axes: [Vector; 3], first: u16) -> Result<Self, Error> {
+    pub(super) fn of(placed: &Placed, axes: [Vector; 3], first: u16, is_cut: bool) -> Result<Self, Error> {
         let kind = kind(&placed.body).map_err(|error| Error::argument(placed.line, error))?;
         let [low, high] = placed.body.bounds();
         let corner = |i: usize| {
@@ -58,7 +61,7 @@ impl Leaf {
             })
         };
         let corners = if placed.frame == 0 { [low, high] } else { [all(f64::min), all(f64::max)] };
-        Ok(Self { kind, frame: placed.frame, axes, color: placed.color, first, corners })
+        Ok(Self { kind, frame: placed.frame, axes, color: placed.color, first, corners, is_cut })
     }
 
     /// The number of the face behind its last one, if there is one.
@@ -67,7 +70,8 @@ impl Leaf {
             Kind::HalfSpaces(solid) => solid.count(),
             Kind::Cuboid(_) => Cuboid::<f64>::FACES,
             Kind::Cylinder(_) | Kind::ScaledCylinder(_) => Cylinder::<f64>::FACES,
-            Kind::Cone(_) | Kind::ScaledCone(_) => Cone::<f64>::FACES,
+            Kind::Cone(_) => Frustum::FACES,
+            Kind::ScaledCone(_) => Cone::<f64>::FACES,
             Kind::Sphere(_) | Kind::ScaledSphere(_) => Sphere::<f64>::FACES,
             Kind::Torus(_) | Kind::ScaledTorus(_) => Torus::<f64>::FACES,
         };
@@ -82,7 +86,7 @@ impl Leaf {
             Kind::HalfSpaces(solid) => return [solid.span(line, first).unwrap_or(NOWHERE), NOWHERE],
             Kind::Cuboid(solid) => solid.spans(line, first, &mut stack),
             Kind::Cylinder(solid) => solid.spans(line, first, &mut stack),
-            Kind::Cone(solid) => solid.spans(line, first, &mut stack),
+            Kind::Cone(solid) => return [solid.span(line, first).unwrap_or(NOWHERE), NOWHERE],
             Kind::Sphere(solid) => solid.spans(line, first, &mut stack),
             Kind::Torus(solid) => solid.spans(line, first, &mut stack),
             Kind::ScaledCylinder(solid) => solid.spans(line, first, &mut stack),
@@ -110,6 +114,7 @@ impl Leaf {
             Kind::ScaledSphere(solid) => solid.normal(face, own),
             Kind::ScaledTorus(solid) => solid.normal(face, own),
         };
+        let normal = if self.is_cut { -normal } else { normal };
         self.axes[0] * normal.x + self.axes[1] * normal.y + self.axes[2] * normal.z
     }
 }
@@ -127,8 +132,10 @@ fn kind(body: &Body) -> Result<Kind, String> {
             solid.map(Kind::Cylinder).map_err(|e| text(&e))
         }
         Body::Cone { axis: along, at, radii, ends } => {
-            let solid = Cone::along(axis(*along), *at, *radii, ends[0], ends[1]);
-            solid.map(Kind::Cone).map_err(|e| text(&e))
+            // What the exact one wouldn't be is an error here, too.
+            let exact = Cone::along(axis(*along), *at, *radii, ends[0], ends[1]);
+            exact.map_err(|e| text(&e))?;
+            Ok(Kind::Cone(Frustum::of(*along, *at, *radii, *ends)))
         }
         Body::Sphere { center, radius } => {
             Sphere::around(*center, *radius).map(Kind::Sphere).map_err(|e| text(&e))

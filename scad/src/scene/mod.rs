@@ -3,6 +3,7 @@
 //! It holds lists, so it isn't for a device. Pictures prune it as typed trees are pruned: once a picture, once a
 //! row, and for each run of columns in which the same solids may be seen.
 
+mod cone;
 mod convex;
 mod leaf;
 mod scan;
@@ -50,7 +51,7 @@ impl Scene {
     pub fn of(model: &Model) -> Result<Self, Error> {
         let mut parts =
             Parts { frames: model.frames.clone(), leaves: Vec::new(), nodes: Vec::new() };
-        parts.add(&model.tree)?;
+        parts.add(&model.tree, false)?;
         Ok(Self { parts: Arc::new(parts) })
     }
 
@@ -62,26 +63,26 @@ impl Scene {
 }
 
 impl Parts {
-    /// Adds a tree. None if it is empty.
-    fn add(&mut self, tree: &Tree<Placed>) -> Result<Option<usize>, Error> {
+    /// Adds a tree: one that is cut out, or one that isn't. None if it is empty.
+    fn add(&mut self, tree: &Tree<Placed>, is_cut: bool) -> Result<Option<usize>, Error> {
         let node = match tree {
             Tree::Empty => return Ok(None),
             Tree::Solid(placed) => {
                 let first = self.leaves.last().map_or(Some(0), Leaf::next_face);
                 let first = first.ok_or_else(|| Error::limit("the part has more than 65,535 faces"))?;
                 let axes = self.frames.get(placed.frame).copied().unwrap_or(self.frames[0]);
-                self.leaves.push(Leaf::of(placed, axes, first)?);
+                self.leaves.push(Leaf::of(placed, axes, first, is_cut)?);
                 Node::Leaf(self.leaves.len() - 1)
             }
             Tree::Union(members) => {
                 let members: Vec<_> =
-                    members.iter().map(|member| self.add(member)).collect::<Result<_, _>>()?;
+                    members.iter().map(|member| self.add(member, is_cut)).collect::<Result<_, _>>()?;
                 Node::Union(members.into_iter().flatten().collect())
             }
             Tree::Intersection(members) => {
                 let mut left = None;
                 for member in members {
-                    let Some(right) = self.add(member)? else { return Ok(None) };
+                    let Some(right) = self.add(member, is_cut)? else { return Ok(None) };
                     left = Some(match left {
                         None => right,
                         Some(left) => {
@@ -93,10 +94,10 @@ impl Parts {
                 return Ok(left);
             }
             Tree::Difference(first, others) => {
-                let Some(left) = self.add(first)? else { return Ok(None) };
+                let Some(left) = self.add(first, is_cut)? else { return Ok(None) };
                 let mut cutters = Vec::new();
                 for other in others {
-                    cutters.extend(self.add(other)?);
+                    cutters.extend(self.add(other, !is_cut)?);
                 }
                 let right = match cutters[..] {
                     [] => return Ok(Some(left)),
