@@ -6,7 +6,8 @@ use crate::parse::{Node, Value};
 impl Node {
     /// The value of an argument that isn't `undef`.
     pub(crate) fn value(&self, name: &str) -> Option<&Value> {
-        let mut named = self.arguments.iter().filter(|argument| argument.name.as_deref() == Some(name));
+        let mut named =
+            self.arguments.iter().filter(|argument| argument.name.as_deref() == Some(name));
         named.next().map(|argument| &argument.value).filter(|value| **value != Value::Undefined)
     }
 
@@ -49,7 +50,10 @@ impl Node {
     }
 
     pub(crate) fn wrong(&self, name: &str) -> Error {
-        Error::argument(self.line, format!("`{name}` of `{}` is missing or isn't what it should be", self.name))
+        Error::argument(
+            self.line,
+            format!("`{name}` of `{}` is missing or isn't what it should be", self.name),
+        )
     }
 }
 

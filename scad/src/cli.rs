@@ -2,7 +2,7 @@
 
 use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
-use scancsg_scad::picture::{Angles, View, render, write_png};
+use scancsg_scad::picture::{Angles, BACKGROUND, View, render, write_png};
 use scancsg_scad::scene::Scene;
 use scancsg_scad::{Error, ErrorKind, Lowered, Model, lower, measure, parse, read};
 use std::path::PathBuf;
@@ -12,13 +12,16 @@ use std::time::{Duration, Instant};
 ///
 /// Without --out and --report, it says only whether the part is modelled.
 #[derive(Debug, Parser)]
-#[command(version, after_help = "\
+#[command(
+    version,
+    after_help = "\
 Exit codes: 0 it worked; 1 a file can't be read or written; 2 wrong options; 3 the file has an error;
 4 something isn't modelled (--skip goes on without it).
 
 Modelled: cube, sphere, cylinder, convex polyhedron, circle, square, polygon, group, union, difference,
 intersection, multmatrix, resize, color, render, linear_extrude without twist, rotate_extrude, offset, hull,
-minkowski of unions of convex solids.")]
+minkowski of unions of convex solids."
+)]
 pub struct Options {
     /// The part: a .csg file, or a .scad file where `openscad` is installed.
     part: PathBuf,
@@ -43,7 +46,8 @@ pub struct Options {
 }
 
 fn size(text: &str) -> Result<[u16; 2], String> {
-    let parts: Option<Vec<u16>> = text.split('x').map(|part| part.parse().ok().filter(|n| *n > 0)).collect();
+    let parts: Option<Vec<u16>> =
+        text.split('x').map(|part| part.parse().ok().filter(|n| *n > 0)).collect();
     parts.and_then(|parts| parts.try_into().ok()).ok_or_else(|| "a size is written 640x480".into())
 }
 
@@ -78,7 +82,7 @@ fn act(options: &Options) -> Result<(), Error> {
     let modelled = began.elapsed();
     if let Some(path) = &options.out {
         let view = View::of_all(&scene, options.camera, options.size)?;
-        let pixels = working("rendering", || render(&scene, &view, options.size))?;
+        let pixels = working("rendering", || render(&scene, &view, options.size, BACKGROUND))?;
         write_png(path, options.size, &pixels)?;
         println!("{} in {:.0?}", path.display(), began.elapsed());
     }

@@ -77,7 +77,8 @@ fn solid(points: &[Vector], size: f64) -> Option<Polyhedron> {
     let (corners, triangles) = try_convex_hull(&near).ok()?;
     // The given points, not what scaling makes of them.
     let given = |corner: &ParryVector| {
-        let distance = |index: &usize| near.get(*index).map_or(f64::MAX, |p| p.distance_squared(*corner));
+        let distance =
+            |index: &usize| near.get(*index).map_or(f64::MAX, |p| p.distance_squared(*corner));
         let nearest = (0..near.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
         points[nearest.unwrap_or(0)]
     };
@@ -92,7 +93,9 @@ fn solid(points: &[Vector], size: f64) -> Option<Polyhedron> {
     let mut owners = Vec::new();
     for (triangle, area) in &triangles {
         let in_plane = |(normal, offset): &(Vector, f64)| {
-            triangle.iter().all(|corner| (normal.dot(corners[*corner]) - offset).abs() < FLAT * size)
+            triangle
+                .iter()
+                .all(|corner| (normal.dot(corners[*corner]) - offset).abs() < FLAT * size)
         };
         let owner = planes.iter().position(in_plane).or_else(|| {
             let normal = tidy(area.normalized()?);
@@ -109,10 +112,9 @@ fn solid(points: &[Vector], size: f64) -> Option<Polyhedron> {
         }
     }
     sides.sort_unstable();
-    let is_edge = |pair: &[([usize; 2], usize)]| {
-        matches!(pair, [(a, left), (b, right)] if a == b && left != right)
-    };
-    let edges: Vec<_> = sides.windows(2).filter(|pair| is_edge(pair)).map(|pair| pair[0].0).collect();
+    let is_edge = |pair: &[([usize; 2], usize)]| matches!(pair, [(a, left), (b, right)] if a == b && left != right);
+    let edges: Vec<_> =
+        sides.windows(2).filter(|pair| is_edge(pair)).map(|pair| pair[0].0).collect();
     let mut faces = vec![Vec::new(); planes.len()];
     for (edge, owner) in sides.iter().filter(|(edge, _)| edges.binary_search(edge).is_ok()) {
         for corner in edge {

@@ -98,9 +98,7 @@ pub fn parse(text: &str) -> Result<Vec<Node>, Error> {
     }
     match (parents.pop(), open.pop()) {
         (None, Some(nodes)) => Ok(nodes),
-        (node, _) => {
-            Err(Error::syntax(node.map_or(0, |node| node.line), "a `{` without its `}`"))
-        }
+        (node, _) => Err(Error::syntax(node.map_or(0, |node| node.line), "a `{` without its `}`")),
     }
 }
 
@@ -233,7 +231,9 @@ mod tests {
         let list = vec![Value::List(vec![Value::Number(1.0)]), Value::Undefined, Value::Bool(true)];
         assert_eq!(nodes[0].arguments[1].name.as_deref(), Some("k"));
         assert_eq!(nodes[0].arguments[1].value, Value::List(list));
-        let [c, d] = &nodes[1].children[..] else { return Ok(assert_eq!(nodes[1].children.len(), 2)) };
+        let [c, d] = &nodes[1].children[..] else {
+            return Err(crate::Error::limit("two children"));
+        };
         assert!(c.modifiers.is_root && !c.modifiers.is_absent && d.modifiers.is_absent);
         assert_eq!((c.line, d.line), (3, 4));
         Ok(())

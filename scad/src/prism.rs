@@ -16,7 +16,8 @@ pub fn prism(polygon: &[Point], heights: [f64; 2]) -> Form {
     let mut planes: Vec<_> = edges(polygon).map(|[a, b]| wall(a, b)).collect();
     planes.push((vec3(0.0, 0.0, -1.0), -heights[0]));
     planes.push((vec3(0.0, 0.0, 1.0), heights[1]));
-    let corners = heights.iter().flat_map(|z| polygon.iter().map(|[x, y]| vec3(*x, *y, *z))).collect();
+    let corners =
+        heights.iter().flat_map(|z| polygon.iter().map(|[x, y]| vec3(*x, *y, *z))).collect();
     Form::Convex(Arc::new(Convex { planes, corners }))
 }
 
@@ -41,7 +42,8 @@ fn rectangle(polygon: &[Point]) -> Option<[Point; 2]> {
     if polygon.len() != 4 || !edges(polygon).all(|[a, b]| a[0] == b[0] || a[1] == b[1]) {
         return None;
     }
-    let bound = |pick: fn(f64, f64) -> f64, i: usize| polygon.iter().map(|point| point[i]).reduce(pick);
+    let bound =
+        |pick: fn(f64, f64) -> f64, i: usize| polygon.iter().map(|point| point[i]).reduce(pick);
     let corner = |pick| Some([bound(pick, 0)?, bound(pick, 1)?]);
     Some([corner(f64::min)?, corner(f64::max)?])
 }

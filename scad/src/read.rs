@@ -11,7 +11,9 @@ use std::{env, fs, process};
 /// # Errors
 /// An [`Error`] that names the file, or what OpenSCAD says.
 pub fn read(path: &Path) -> Result<String, Error> {
-    let failed = |path: &Path, error: &dyn std::fmt::Display| Error::file(format!("{}: {error}", path.display()));
+    let failed = |path: &Path, error: &dyn std::fmt::Display| {
+        Error::file(format!("{}: {error}", path.display()))
+    };
     if path.extension() != Some(OsStr::new("scad")) {
         return fs::read_to_string(path).map_err(|error| failed(path, &error));
     }

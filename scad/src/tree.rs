@@ -198,7 +198,10 @@ impl<L> Tree<L> {
     }
 
     /// The same tree of other leaves. A leaf that becomes none is empty.
-    pub fn try_map<M, E>(self, each: &mut impl FnMut(L) -> Result<Option<M>, E>) -> Result<Tree<M>, E> {
+    pub fn try_map<M, E>(
+        self,
+        each: &mut impl FnMut(L) -> Result<Option<M>, E>,
+    ) -> Result<Tree<M>, E> {
         let mut all = |trees: Vec<Self>| -> Result<Vec<_>, E> {
             trees.into_iter().map(|tree| tree.try_map(&mut *each)).collect()
         };

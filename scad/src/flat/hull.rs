@@ -78,7 +78,7 @@ fn next(discs: &[Disc], current: &Disc, angle: f64) -> Option<(Disc, f64)> {
         let [x, y] = [0, 1].map(|i| disc.center[i] - current.center[i]);
         let distance = x.hypot(y);
         let slope = (current.radius - disc.radius) / distance;
-        if !(slope.abs() < 1.0) {
+        if slope.abs() >= 1.0 || slope.is_nan() {
             continue; // the same, or one is inside the other
         }
         let mut by = (y.atan2(x) - slope.acos() - angle) % TAU;
@@ -112,7 +112,8 @@ mod tests {
     #[test]
     fn hulls_have_tangents_and_arcs() {
         let disc = |x, y, radius| Disc { center: [x, y], radius };
-        let corners = [disc(0.0, 0.0, 1.0), disc(9.0, 0.0, 1.0), disc(9.0, 5.0, 1.0), disc(0.0, 5.0, 1.0)];
+        let corners =
+            [disc(0.0, 0.0, 1.0), disc(9.0, 0.0, 1.0), disc(9.0, 5.0, 1.0), disc(0.0, 5.0, 1.0)];
         assert_eq!(discs(&hull_of_discs(&corners)), (8, 4));
         // One inside, one on an edge.
         let more = [&corners[..], &[disc(4.0, 2.0, 2.0), disc(4.0, 0.0, 1.0)]].concat();
@@ -125,7 +126,8 @@ mod tests {
 
     #[test]
     fn hulls_of_points_are_polygons() {
-        let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [2.0, 0.0], [1.0, 1.0], [4.0, 3.0]];
+        let points =
+            [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [2.0, 0.0], [1.0, 1.0], [4.0, 3.0]];
         let Flat::Polygon(hull) = hull_of_discs(&points.map(Disc::point)) else {
             return assert_eq!("a polygon", "");
         };

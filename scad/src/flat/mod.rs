@@ -86,7 +86,8 @@ impl Flat {
                 match map.uniform_scale(SIX_DIGITS) {
                     Some(scale) => Self::Disc(Disc { center, radius: disc.radius * scale }),
                     None => {
-                        let columns = map.columns.map(|column| column.map(|part| part * disc.radius));
+                        let columns =
+                            map.columns.map(|column| column.map(|part| part * disc.radius));
                         Self::Ellipse(FlatMap { columns, shift: center })
                     }
                 }

@@ -29,7 +29,8 @@ pub fn offset(shape: &Flat, by: f64, join: Join) -> Option<Flat> {
         }
         // Rounded, a union grows as its members do.
         Flat::Union(shapes) if by > 0.0 && join == Join::Round => {
-            let grown: Option<Vec<_>> = shapes.iter().map(|shape| offset(shape, by, join)).collect();
+            let grown: Option<Vec<_>> =
+                shapes.iter().map(|shape| offset(shape, by, join)).collect();
             grown.map(Flat::union)
         }
         _ => offset_polygon(&shape.resolved(), by, join),
@@ -118,7 +119,8 @@ mod tests {
     fn chamfers_touch_the_circle() {
         let square = Polygon::of_outline(vec![[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]);
         let grown = offset(&Flat::Polygon(square), 1.0, Join::Chamfer);
-        let corners = grown.map(|shape| shape.resolved().points().collect::<Vec<_>>()).unwrap_or_default();
+        let corners =
+            grown.map(|shape| shape.resolved().points().collect::<Vec<_>>()).unwrap_or_default();
         assert_eq!(corners.len(), 8);
         // How far out the farthest edges are towards a corner of the square.
         let reach = corners.iter().map(|[x, y]| (x + y - 8.0) / 2f64.sqrt()).fold(0.0, f64::max);

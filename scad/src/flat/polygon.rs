@@ -18,7 +18,8 @@ impl Polygon {
     /// What is inside an odd number of outlines, whichever way round these are.
     #[must_use]
     pub fn of_outlines(outlines: &[Vec<Point>]) -> Self {
-        let outlines: Vec<_> = outlines.iter().filter(|outline| outline.len() > 2).cloned().collect();
+        let outlines: Vec<_> =
+            outlines.iter().filter(|outline| outline.len() > 2).cloned().collect();
         if outlines.is_empty() {
             return Self::default();
         }
@@ -126,8 +127,11 @@ impl Polygon {
         let near = size * 1e-9;
         for corner in self.parts.iter_mut().flatten().flatten() {
             let first = points.partition_point(|point| point[0] < corner[0] - near);
-            let candidates = points.iter().skip(first).take_while(|point| point[0] <= corner[0] + near);
-            if let Some(point) = candidates.into_iter().find(|point| (point[1] - corner[1]).abs() <= near) {
+            let candidates =
+                points.iter().skip(first).take_while(|point| point[0] <= corner[0] + near);
+            if let Some(point) =
+                candidates.into_iter().find(|point| (point[1] - corner[1]).abs() <= near)
+            {
                 *corner = *point;
             }
         }
@@ -206,7 +210,8 @@ mod tests {
         let corners = Polygon::of_outline(outline).convex().unwrap_or_default();
         assert_eq!((corners.len(), area(&corners)), (4, 4.0));
         // Each corner turns left, but twice around.
-        let star: Vec<_> = (0..5).map(|i| f64::from(i * 2) * 1.2566370614).map(|a| [a.cos(), a.sin()]).collect();
+        let star: Vec<_> =
+            (0..5).map(|i| f64::from(i * 2) * 1.2566370614).map(|a| [a.cos(), a.sin()]).collect();
         assert_eq!(super::convex(&star), None);
     }
 }

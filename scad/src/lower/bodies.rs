@@ -66,7 +66,11 @@ fn of_solid(solid: &Solid) -> Vec<Body> {
         Form::Cuboid([low, high]) => {
             let pick = |i: usize, a: f64, b: f64, bit: usize| if i >> bit & 1 == 0 { a } else { b };
             let corner = |i| {
-                vec3(pick(i, low.x, high.x, 0), pick(i, low.y, high.y, 1), pick(i, low.z, high.z, 2))
+                vec3(
+                    pick(i, low.x, high.x, 0),
+                    pick(i, low.y, high.y, 1),
+                    pick(i, low.z, high.z, 2),
+                )
             };
             (0..8).map(|i| Body::Point(map.point(corner(i)))).collect()
         }
@@ -118,7 +122,9 @@ pub(super) fn sampled(bodies: &[Body], on_disc: usize, on_ball: usize) -> Vec<Ve
     let globe = globe(on_ball);
     let points = |body: &Body| match *body {
         Body::Point(point) => vec![point],
-        Body::Ball { center, radius } => globe.iter().map(|point| center + *point * radius).collect(),
+        Body::Ball { center, radius } => {
+            globe.iter().map(|point| center + *point * radius).collect()
+        }
         Body::Disc { center, axis, radius } => {
             let [u, v] = across(axis);
             let outline = Disc { center: [0.0; 2], radius }.outline(on_disc).into_iter();
@@ -133,7 +139,7 @@ fn globe(count: usize) -> Vec<Vector> {
     let levels = ((count as f64 / 2.0).sqrt() as usize).max(2);
     let level = |step: usize| {
         let (sin, cos) = (PI * (step as f64 / levels as f64 - 0.5)).sin_cos();
-        let around = if step % levels == 0 { 1 } else { 2 * levels };
+        let around = if step.is_multiple_of(levels) { 1 } else { 2 * levels };
         (0..around).map(move |turn| {
             let (s, c) = (TAU * turn as f64 / around as f64).sin_cos();
             vec3(cos * c, cos * s, sin)

@@ -40,8 +40,10 @@ impl Lowering {
             Some(Value::Number(scale)) => [*scale; 2],
             Some(_) => node.vector("scale")?,
         };
-        let heights = if node.is_set("center") { [-height / 2.0, height / 2.0] } else { [0.0, height] };
-        let extrusion = Extrusion { heights, scale: scale.map(|factor| factor.max(0.0)), line: node.line };
+        let heights =
+            if node.is_set("center") { [-height / 2.0, height / 2.0] } else { [0.0, height] };
+        let extrusion =
+            Extrusion { heights, scale: scale.map(|factor| factor.max(0.0)), line: node.line };
         Ok(Shape::Solid(extrusion.of(&shape)))
     }
 }

@@ -23,7 +23,8 @@ pub(super) fn square(node: &Node) -> Result<Shape, Error> {
         return Ok(Shape::Flat(Flat::Empty));
     }
     let [left, low] = if node.is_set("center") { [-width / 2.0, -height / 2.0] } else { [0.0; 2] };
-    let [right, high] = if node.is_set("center") { [width / 2.0, height / 2.0] } else { [width, height] };
+    let [right, high] =
+        if node.is_set("center") { [width / 2.0, height / 2.0] } else { [width, height] };
     let outline = vec![[left, low], [right, low], [right, high], [left, high]];
     Ok(Shape::Flat(Flat::Polygon(Polygon::of_outline(outline))))
 }

@@ -160,7 +160,8 @@ fn block(hull: &Polyhedron) -> Option<(Map, [f64; 3])> {
     let size = [x, y, z].map(length);
     let is_square = |a: Vector, b: Vector| a.dot(b).abs() < SAME * length(a) * length(b);
     let columns = [x * (1.0 / size[0]), y * (1.0 / size[1]), z * (1.0 / size[2])];
-    (is_square(x, y) && is_square(y, z) && is_square(z, x)).then_some((Map { columns, shift: from }, size))
+    (is_square(x, y) && is_square(y, z) && is_square(z, x))
+        .then_some((Map { columns, shift: from }, size))
 }
 
 /// Three boxes, each longer by the radius along one axis.
@@ -196,13 +197,20 @@ fn between_planes(bodies: &[Body], line: usize) -> Option<Tree> {
     let is_same = |a: f64, b: f64| (a - b).abs() < SAME * size;
     let level = |height: f64| -> Vec<Disc> {
         let at = placed.iter().zip(&heights).filter(|(_, own)| is_same(**own, height));
-        at.map(|((center, radius), _)| Disc { center: [center.dot(u), center.dot(v)], radius: *radius }).collect()
+        at.map(|((center, radius), _)| Disc {
+            center: [center.dot(u), center.dot(v)],
+            radius: *radius,
+        })
+        .collect()
     };
     let [lower, upper] = [level(low), level(high)];
     let is_disc = |a: &Disc, b: &Disc| {
-        is_same(a.radius, b.radius) && is_same(a.center[0], b.center[0]) && is_same(a.center[1], b.center[1])
+        is_same(a.radius, b.radius)
+            && is_same(a.center[0], b.center[0])
+            && is_same(a.center[1], b.center[1])
     };
-    let has_all = |some: &[Disc], all: &[Disc]| some.iter().all(|a| all.iter().any(|b| is_disc(a, b)));
+    let has_all =
+        |some: &[Disc], all: &[Disc]| some.iter().all(|a| all.iter().any(|b| is_disc(a, b)));
     if is_same(low, high) || lower.len() + upper.len() != placed.len() {
         return None;
     }
@@ -225,12 +233,19 @@ fn about_axis(bodies: &[Body], line: usize) -> Option<Tree> {
         Body::Disc { axis, .. } => Some(*axis),
         _ => None,
     });
-    let far = bodies.iter().map(|body| center(body) - from).max_by(|a, b| length(*a).total_cmp(&length(*b)))?;
+    let far = bodies
+        .iter()
+        .map(|body| center(body) - from)
+        .max_by(|a, b| length(*a).total_cmp(&length(*b)))?;
     let axis = disc_axis.or_else(|| far.normalized())?;
-    let size = length(far) + bodies.iter().map(|body| match body {
-        Body::Point(_) => 0.0,
-        Body::Ball { radius, .. } | Body::Disc { radius, .. } => *radius,
-    }).fold(0.0, f64::max);
+    let size = length(far)
+        + bodies
+            .iter()
+            .map(|body| match body {
+                Body::Point(_) => 0.0,
+                Body::Ball { radius, .. } | Body::Disc { radius, .. } => *radius,
+            })
+            .fold(0.0, f64::max);
     let mut profile = Vec::new();
     for body in bodies {
         let offset = center(body) - from;
@@ -270,7 +285,8 @@ fn about_axis(bodies: &[Body], line: usize) -> Option<Tree> {
 /// The right half of a profile, as an outline that begins and ends on the axis. Going up, it is convex: its
 /// corners are in the order of their heights.
 fn right_half(outline: Vec<Point>) -> Vec<Point> {
-    let ends = |pick: fn(f64, f64) -> f64| outline.iter().map(|[_, z]| *z).reduce(pick).unwrap_or(0.0);
+    let ends =
+        |pick: fn(f64, f64) -> f64| outline.iter().map(|[_, z]| *z).reduce(pick).unwrap_or(0.0);
     let [low, high] = [ends(f64::min), ends(f64::max)];
     let mut right: Vec<Point> = outline.iter().copied().filter(|[x, _]| *x > 0.0).collect();
     right.sort_by(|a, b| a[1].total_cmp(&b[1]));

@@ -88,13 +88,15 @@ fn solid_sum(a: &Tree, b: &Tree, line: usize) -> Result<Tree, Error> {
 
 /// The convex solids that a union is made of.
 fn pieces(tree: &Tree, line: usize) -> Result<Vec<Vec<Body>>, Error> {
-    let cut = || Error::not_modelled(line, "a `minkowski` of solids that aren't unions of convex ones");
+    let cut =
+        || Error::not_modelled(line, "a `minkowski` of solids that aren't unions of convex ones");
     match tree {
         Tree::Empty => Ok(Vec::new()),
         Tree::Solid(Solid { form: Form::Torus { .. }, .. }) => Err(cut()),
         Tree::Solid(_) => Ok(vec![bodies(tree).ok_or_else(cut)?]),
         Tree::Union(members) => {
-            let each: Result<Vec<_>, _> = members.iter().map(|member| pieces(member, line)).collect();
+            let each: Result<Vec<_>, _> =
+                members.iter().map(|member| pieces(member, line)).collect();
             each.map(|each| each.concat())
         }
         Tree::Intersection(_) | Tree::Difference(..) => Err(cut()),
@@ -124,7 +126,8 @@ fn sum(a: &[Body], b: &[Body], line: usize) -> Result<Tree, Error> {
 fn sum_of_bodies(a: &Body, b: &Body) -> Vec<Body> {
     match (*a, *b) {
         (Body::Point(p), Body::Point(q)) => vec![Body::Point(p + q)],
-        (Body::Point(p), Body::Ball { center, radius }) | (Body::Ball { center, radius }, Body::Point(p)) => {
+        (Body::Point(p), Body::Ball { center, radius })
+        | (Body::Ball { center, radius }, Body::Point(p)) => {
             vec![Body::Ball { center: center + p, radius }]
         }
         (Body::Point(p), Body::Disc { center, axis, radius })
@@ -134,9 +137,10 @@ fn sum_of_bodies(a: &Body, b: &Body) -> Vec<Body> {
         (Body::Ball { center: p, radius: r }, Body::Ball { center: q, radius: s }) => {
             vec![Body::Ball { center: p + q, radius: r + s }]
         }
-        (Body::Disc { center: p, axis, radius: r }, Body::Disc { center: q, axis: other, radius: s })
-            if length(axis.cross(other)) < 1e-5 =>
-        {
+        (
+            Body::Disc { center: p, axis, radius: r },
+            Body::Disc { center: q, axis: other, radius: s },
+        ) if length(axis.cross(other)) < 1e-5 => {
             vec![Body::Disc { center: p + q, axis, radius: r + s }]
         }
         // Round in more than one way: points will do.
@@ -149,7 +153,8 @@ fn sum_of_bodies(a: &Body, b: &Body) -> Vec<Body> {
 
 /// A cylinder with rounded edges: two cylinders, and a ring at either end.
 fn rounded_cylinder(bodies: &[Body], by: f64, line: usize) -> Option<Tree> {
-    let &[Body::Disc { center: from, axis, radius }, Body::Disc { center: to, radius: other, .. }] = bodies
+    let &[Body::Disc { center: from, axis, radius }, Body::Disc { center: to, radius: other, .. }] =
+        bodies
     else {
         return None;
     };
@@ -167,5 +172,10 @@ fn rounded_cylinder(bodies: &[Body], by: f64, line: usize) -> Option<Tree> {
     let wide = Form::Cylinder { radius: radius + by, heights: [low, high] };
     let tall = Form::Cylinder { radius, heights: [low - by, high + by] };
     let ring = Form::Torus { ring: radius, tube: by };
-    Some(Tree::union([solid(wide, 0.0), solid(tall, 0.0), solid(ring.clone(), low), solid(ring, high)]))
+    Some(Tree::union([
+        solid(wide, 0.0),
+        solid(tall, 0.0),
+        solid(ring.clone(), low),
+        solid(ring, high),
+    ]))
 }

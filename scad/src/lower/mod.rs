@@ -59,7 +59,9 @@ pub fn lower(nodes: &[Node], skip: bool) -> Result<Lowered, Error> {
     let tree = match shape {
         Shape::Solid(tree) => tree,
         Shape::Nothing => Tree::Empty,
-        Shape::Flat(_) => return Err(Error::not_modelled(0, "a part that is flat: there is no solid in it")),
+        Shape::Flat(_) => {
+            return Err(Error::not_modelled(0, "a part that is flat: there is no solid in it"));
+        }
     };
     Ok(Lowered { tree, skipped: lowering.skipped })
 }
@@ -67,7 +69,9 @@ pub fn lower(nodes: &[Node], skip: bool) -> Result<Lowered, Error> {
 /// The node with a `!`, if there is one.
 fn root(nodes: &[Node]) -> Option<&Node> {
     let present = nodes.iter().filter(|node| !node.modifiers.is_absent);
-    present.into_iter().find_map(|node| if node.modifiers.is_root { Some(node) } else { root(&node.children) })
+    present
+        .into_iter()
+        .find_map(|node| if node.modifiers.is_root { Some(node) } else { root(&node.children) })
 }
 
 struct Lowering {

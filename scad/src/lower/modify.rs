@@ -16,7 +16,8 @@ impl Lowering {
     pub(super) fn color(&mut self, node: &Node) -> Result<Shape, Error> {
         let mut shape = united(self.children(node)?);
         // The outermost colour counts. OpenSCAD writes -1 for none.
-        let parts: Option<[f64; 4]> = node.arguments.first().and_then(|argument| argument.value.vector());
+        let parts: Option<[f64; 4]> =
+            node.arguments.first().and_then(|argument| argument.value.vector());
         let [red, green, blue, _] = parts.ok_or_else(|| node.wrong("c"))?;
         let level = |part: f64| (part * 255.0).round().clamp(0.0, 255.0) as u8;
         let color = Rgb::new(level(red), level(green), level(blue));
@@ -30,7 +31,9 @@ impl Lowering {
         let shape = united(self.children(node)?);
         let wanted: [f64; 3] = node.vector("newsize")?;
         let auto: Vec<bool> = match node.value("auto") {
-            Some(Value::List(list)) => list.iter().map(|value| *value == Value::Bool(true)).collect(),
+            Some(Value::List(list)) => {
+                list.iter().map(|value| *value == Value::Bool(true)).collect()
+            }
             _ => vec![node.is_set("auto"); 3],
         };
         let size = match &shape {
@@ -60,7 +63,8 @@ fn scaling([x, y, z]: [f64; 3]) -> Map {
 
 /// The map of a `multmatrix`.
 fn matrix(node: &Node) -> Result<Map, Error> {
-    let wrong = || Error::argument(node.line, "the matrix isn't one of three or four rows of four numbers");
+    let wrong =
+        || Error::argument(node.line, "the matrix isn't one of three or four rows of four numbers");
     let value = node.value("m").or(node.arguments.first().map(|argument| &argument.value));
     let rows = value.and_then(Value::list).ok_or_else(wrong)?;
     let mut rows = rows.iter().map(|row| row.vector::<4>().ok_or_else(wrong));
@@ -82,7 +86,11 @@ fn placed(shape: Shape, map: &Map) -> Shape {
         Shape::Nothing => Shape::Nothing,
         Shape::Flat(flat) => {
             let map: FlatMap = map.flat();
-            if map.determinant() == 0.0 { Shape::Flat(Default::default()) } else { Shape::Flat(flat.mapped(&map)) }
+            if map.determinant() == 0.0 {
+                Shape::Flat(Default::default())
+            } else {
+                Shape::Flat(flat.mapped(&map))
+            }
         }
         Shape::Solid(mut tree) => {
             if map.determinant() == 0.0 {

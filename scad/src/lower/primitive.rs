@@ -81,18 +81,22 @@ pub(super) fn frustum(radii: [f64; 2], heights: [f64; 2]) -> Form {
 /// its corners are. What is closed and so is the convex hull of its corners.
 pub(super) fn polyhedron(node: &Node) -> Result<Shape, Error> {
     let lists = |name: &str| node.value(name).and_then(Value::list).ok_or_else(|| node.wrong(name));
-    let point = |value: &Value| value.vector().map(Vector::from).ok_or_else(|| node.wrong("points"));
+    let point =
+        |value: &Value| value.vector().map(Vector::from).ok_or_else(|| node.wrong("points"));
     let points = lists("points")?.iter().map(point).collect::<Result<Vec<_>, _>>()?;
     let mut faces = Vec::new();
     for face in lists("faces").or_else(|_| lists("triangles"))? {
         let index = |value: &Value| points.get(value.finite()? as usize).copied();
-        let corners: Option<Vec<Vector>> = face.list().and_then(|list| list.iter().map(index).collect());
+        let corners: Option<Vec<Vector>> =
+            face.list().and_then(|list| list.iter().map(index).collect());
         faces.push(corners.ok_or_else(|| node.wrong("faces"))?);
     }
     let used: Vec<Vector> = faces.iter().flatten().copied().collect();
     let hull = match hull_of_points(&used) {
         Some(Hull::Solid(hull)) => hull,
-        None => return Err(Error::not_modelled(node.line, "a `polyhedron` whose hull can't be found")),
+        None => {
+            return Err(Error::not_modelled(node.line, "a `polyhedron` whose hull can't be found"));
+        }
         Some(_) => return Ok(EMPTY),
     };
     let size = used.iter().map(|corner| length(*corner - used[0])).fold(0.0, f64::max);
@@ -102,7 +106,9 @@ pub(super) fn polyhedron(node: &Node) -> Result<Shape, Error> {
         };
         hull.convex.planes.iter().any(plane)
     };
-    let sliver = |face: &Vec<Vector>| matches!(hull_of_points(face), Some(Hull::Segment(_) | Hull::Point(_)));
+    let sliver = |face: &Vec<Vector>| {
+        matches!(hull_of_points(face), Some(Hull::Segment(_) | Hull::Point(_)))
+    };
     if !faces.iter().all(|face| is_outside(face) || sliver(face)) {
         return Err(Error::not_modelled(node.line, "a `polyhedron` that isn't convex"));
     }

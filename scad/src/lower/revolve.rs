@@ -68,7 +68,8 @@ fn cut(ring: Tree, [from, to]: [f64; 2], reach: f64, heights: [f64; 2], line: us
 
 /// The solid that a shape passes through as it turns once around.
 fn revolved(shape: &Flat, line: usize) -> Tree {
-    let each = |shapes: &[Flat]| shapes.iter().map(|shape| revolved(shape, line)).collect::<Vec<_>>();
+    let each =
+        |shapes: &[Flat]| shapes.iter().map(|shape| revolved(shape, line)).collect::<Vec<_>>();
     match shape {
         Flat::Empty => Tree::Empty,
         Flat::Disc(Disc { center: [ring, height], radius }) => {

@@ -12,7 +12,9 @@ impl Body {
         match self {
             Self::Cuboid(corners) => *corners,
             Self::Cylinder { axis, at, radius, ends } => round(*axis, *at, *radius, *ends),
-            Self::Cone { axis, at, radii, ends } => round(*axis, *at, radii[0].max(radii[1]), *ends),
+            Self::Cone { axis, at, radii, ends } => {
+                round(*axis, *at, radii[0].max(radii[1]), *ends)
+            }
             Self::Sphere { center, radius } => {
                 let reach = vec3(*radius, *radius, *radius);
                 [*center - reach, *center + reach]
@@ -51,8 +53,12 @@ fn stretched(form: &Form, map: &Map) -> [Vector; 2] {
         Form::Cone { radii, heights } => (radii[0].max(radii[1]), heights[0], heights[1]),
         Form::Sphere { radius } => (*radius, -radius, *radius),
         Form::Torus { ring, tube } => (ring + tube, -tube, *tube),
-        Form::Cuboid([low, high]) => return around([map.point(*low), map.point(*high)].into_iter()),
-        Form::Convex(convex) => return around(convex.corners.iter().map(|corner| map.point(*corner))),
+        Form::Cuboid([low, high]) => {
+            return around([map.point(*low), map.point(*high)].into_iter());
+        }
+        Form::Convex(convex) => {
+            return around(convex.corners.iter().map(|corner| map.point(*corner)));
+        }
     };
     let corner = |i: usize| {
         let side = |bit: usize| if i >> bit & 1 == 0 { -reach } else { reach };

@@ -95,13 +95,16 @@ impl Frames {
         let into = |vector: Vector| Vector::from(axes.map(|axis| axis.dot(vector)));
         let snapped = |column: Vector| {
             let (seen, scale) = (into(column), length(column));
-            let parts = seen.map(|part| if part.abs() < OFF * scale { 0.0 } else { part.signum() * factor(scale) });
+            let parts = seen.map(|part| {
+                if part.abs() < OFF * scale { 0.0 } else { part.signum() * factor(scale) }
+            });
             (parts.to_array().iter().filter(|part| **part != 0.0).count() == 1).then_some(parts)
         };
         if needed.iter().any(|i| snapped(map.columns[*i]).is_none()) {
             return None;
         }
-        let columns = map.columns.map(|column| snapped(column).unwrap_or(Vector::new(0.0, 0.0, 0.0)));
+        let columns =
+            map.columns.map(|column| snapped(column).unwrap_or(Vector::new(0.0, 0.0, 0.0)));
         Some(Turn { frame, columns, shift: into(map.shift) })
     }
 }

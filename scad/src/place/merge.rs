@@ -11,7 +11,9 @@ pub(super) fn merge(tree: &mut Tree<Placed>, frames: usize) {
             let mut found = Vec::new();
             tree.change_each(&mut |solid| {
                 if solid.frame == frame {
-                    found.extend(faces(&mut solid.body, axis).into_iter().map(|ends| ends.map(|end| *end)));
+                    found.extend(
+                        faces(&mut solid.body, axis).into_iter().map(|ends| ends.map(|end| *end)),
+                    );
                 }
             });
             let merged = Merged::of(found.into_iter().flatten().collect());
@@ -37,7 +39,8 @@ fn faces(body: &mut Body, across: usize) -> Option<[&mut f64; 2]> {
             1 => [&mut low.y, &mut high.y],
             _ => [&mut low.z, &mut high.z],
         }),
-        Body::Cylinder { axis, ends: [low, high], .. } | Body::Cone { axis, ends: [low, high], .. }
+        Body::Cylinder { axis, ends: [low, high], .. }
+        | Body::Cone { axis, ends: [low, high], .. }
             if *axis == across =>
         {
             Some([low, high])

@@ -105,7 +105,10 @@ impl Model {
         let mut tree = tree.try_map(&mut |solid: Solid| {
             let is_finite = solid.map.columns.iter().all(|column| column.is_finite());
             if !is_finite || !solid.map.shift.is_finite() {
-                return Err(Error::argument(solid.line, "a coordinate is infinite or not a number"));
+                return Err(Error::argument(
+                    solid.line,
+                    "a coordinate is infinite or not a number",
+                ));
             }
             let (frame, body) = place(&mut frames, &solid);
             Ok(Some(Placed { frame, body, color: solid.color, line: solid.line }))
@@ -126,7 +129,9 @@ fn place(frames: &mut Frames, solid: &Solid) -> (usize, Body) {
     let [wide, other, high] = lengths;
     match &solid.form {
         Form::Sphere { radius } => match map.uniform_scale(2.0 * crate::map::SIX_DIGITS) {
-            Some(scale) => (0, Body::Sphere { center: map.shift, radius: digits(radius * factor(scale)) }),
+            Some(scale) => {
+                (0, Body::Sphere { center: map.shift, radius: digits(radius * factor(scale)) })
+            }
             None => stretched(),
         },
         Form::Cuboid([low, high]) => match frames.turn(map) {

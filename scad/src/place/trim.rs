@@ -55,7 +55,8 @@ fn around(tree: &Tree<Placed>, frames: &[[Vector; 3]]) -> Option<Ball> {
             Some(Ball { center, radius: length(high - low) * 0.5 })
         }
         Tree::Union(members) => {
-            let balls: Vec<_> = members.iter().filter_map(|member| around(member, frames)).collect();
+            let balls: Vec<_> =
+                members.iter().filter_map(|member| around(member, frames)).collect();
             let sum = balls.iter().fold(Vector::new(0.0, 0.0, 0.0), |sum, ball| sum + ball.center);
             let center = sum * (1.0 / balls.len().max(1) as f64);
             let radius = balls.iter().map(|ball| length(ball.center - center) + ball.radius);

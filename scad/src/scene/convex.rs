@@ -27,7 +27,8 @@ impl HalfSpaces {
     pub(super) fn of(convex: &Convex) -> Self {
         let plane = |&(normal, offset): &(Vector, f64)| {
             let parts = normal.to_array();
-            let across = (0..3).find(|axis| (0..3).all(|other| other == *axis || parts[other] == 0.0));
+            let across =
+                (0..3).find(|axis| (0..3).all(|other| other == *axis || parts[other] == 0.0));
             Plane { normal, offset, across: across.map(|axis| (axis, parts[axis] > 0.0)) }
         };
         let are_counted = convex.planes.len() <= MOST_COUNTED;
@@ -48,7 +49,9 @@ impl HalfSpaces {
                 Some((axis, true)) => (plane.offset - origin[axis], direction[axis]),
                 // Twice negative: the same as a box's low plane.
                 Some((axis, false)) => (origin[axis] + plane.offset, -direction[axis]),
-                None => (plane.offset - plane.normal.dot(line.origin), plane.normal.dot(line.direction)),
+                None => {
+                    (plane.offset - plane.normal.dot(line.origin), plane.normal.dot(line.direction))
+                }
             };
             if speed == 0.0 {
                 if !has_below(&plane.normal, height) {

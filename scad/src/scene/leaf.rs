@@ -48,12 +48,19 @@ pub(super) fn into_frame(axes: &[Vector; 3], line: &Line<f64>) -> Line<f64> {
 }
 
 impl Leaf {
-    pub(super) fn of(placed: &Placed, axes: [Vector; 3], first: u16, is_cut: bool) -> Result<Self, Error> {
+    pub(super) fn of(
+        placed: &Placed,
+        axes: [Vector; 3],
+        first: u16,
+        is_cut: bool,
+    ) -> Result<Self, Error> {
         let kind = kind(&placed.body).map_err(|error| Error::argument(placed.line, error))?;
         let [low, high] = placed.body.bounds();
         let corner = |i: usize| {
             let pick = |a: f64, b: f64, bit: usize| if i >> bit & 1 == 0 { a } else { b };
-            axes[0] * pick(low.x, high.x, 0) + axes[1] * pick(low.y, high.y, 1) + axes[2] * pick(low.z, high.z, 2)
+            axes[0] * pick(low.x, high.x, 0)
+                + axes[1] * pick(low.y, high.y, 1)
+                + axes[2] * pick(low.z, high.z, 2)
         };
         let all = |pick: fn(f64, f64) -> f64| {
             (1..8).map(corner).fold(corner(0), |sum, next| {
@@ -83,7 +90,9 @@ impl Leaf {
         let mut list = SpanList::<f64, 2>::new();
         let (first, mut stack) = (Face(self.first), list.stack());
         match &self.kind {
-            Kind::HalfSpaces(solid) => return [solid.span(line, first).unwrap_or(NOWHERE), NOWHERE],
+            Kind::HalfSpaces(solid) => {
+                return [solid.span(line, first).unwrap_or(NOWHERE), NOWHERE];
+            }
             Kind::Cuboid(solid) => solid.spans(line, first, &mut stack),
             Kind::Cylinder(solid) => solid.spans(line, first, &mut stack),
             Kind::Cone(solid) => return [solid.span(line, first).unwrap_or(NOWHERE), NOWHERE],
@@ -126,7 +135,9 @@ fn axis(index: usize) -> Axis {
 fn kind(body: &Body) -> Result<Kind, String> {
     let text = |error: &dyn std::fmt::Display| error.to_string();
     match body {
-        Body::Cuboid([low, high]) => Cuboid::between(*low, *high).map(Kind::Cuboid).map_err(|e| text(&e)),
+        Body::Cuboid([low, high]) => {
+            Cuboid::between(*low, *high).map(Kind::Cuboid).map_err(|e| text(&e))
+        }
         Body::Cylinder { axis: along, at, radius, ends } => {
             let solid = Cylinder::along(axis(*along), *at, *radius, ends[0], ends[1]);
             solid.map(Kind::Cylinder).map_err(|e| text(&e))
@@ -154,21 +165,26 @@ fn stretched(form: &Form, map: &Map) -> Result<Kind, String> {
     let map = AffineMap::with_columns(map.columns, map.shift).map_err(|e| text(&e))?;
     match form {
         Form::Cylinder { radius, heights: [low, high] } => {
-            let solid = Cylinder::along(Axis::Z, [0.0; 2], *radius, *low, *high).map_err(|e| text(&e))?;
+            let solid =
+                Cylinder::along(Axis::Z, [0.0; 2], *radius, *low, *high).map_err(|e| text(&e))?;
             Ok(Kind::ScaledCylinder(Box::new(Scaled::new(solid, map))))
         }
         Form::Cone { radii, heights: [low, high] } => {
-            let solid = Cone::along(Axis::Z, [0.0; 2], *radii, *low, *high).map_err(|e| text(&e))?;
+            let solid =
+                Cone::along(Axis::Z, [0.0; 2], *radii, *low, *high).map_err(|e| text(&e))?;
             Ok(Kind::ScaledCone(Box::new(Scaled::new(solid, map))))
         }
         Form::Sphere { radius } => {
-            let solid = Sphere::around(Vector::new(0.0, 0.0, 0.0), *radius).map_err(|e| text(&e))?;
+            let solid =
+                Sphere::around(Vector::new(0.0, 0.0, 0.0), *radius).map_err(|e| text(&e))?;
             Ok(Kind::ScaledSphere(Box::new(Scaled::new(solid, map))))
         }
         Form::Torus { ring, tube } => {
             let solid = Torus::along(Axis::Z, Vector::new(0.0, 0.0, 0.0), *ring, *tube);
             Ok(Kind::ScaledTorus(Box::new(Scaled::new(solid.map_err(|e| text(&e))?, map))))
         }
-        Form::Cuboid(_) | Form::Convex(_) => Err("a solid with flat faces is never stretched".into()),
+        Form::Cuboid(_) | Form::Convex(_) => {
+            Err("a solid with flat faces is never stretched".into())
+        }
     }
 }

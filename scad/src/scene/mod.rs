@@ -69,14 +69,17 @@ impl Parts {
             Tree::Empty => return Ok(None),
             Tree::Solid(placed) => {
                 let first = self.leaves.last().map_or(Some(0), Leaf::next_face);
-                let first = first.ok_or_else(|| Error::limit("the part has more than 65,535 faces"))?;
+                let first =
+                    first.ok_or_else(|| Error::limit("the part has more than 65,535 faces"))?;
                 let axes = self.frames.get(placed.frame).copied().unwrap_or(self.frames[0]);
                 self.leaves.push(Leaf::of(placed, axes, first, is_cut)?);
                 Node::Leaf(self.leaves.len() - 1)
             }
             Tree::Union(members) => {
-                let members: Vec<_> =
-                    members.iter().map(|member| self.add(member, is_cut)).collect::<Result<_, _>>()?;
+                let members: Vec<_> = members
+                    .iter()
+                    .map(|member| self.add(member, is_cut))
+                    .collect::<Result<_, _>>()?;
                 Node::Union(members.into_iter().flatten().collect())
             }
             Tree::Intersection(members) => {
@@ -123,7 +126,8 @@ impl Parts {
             Node::Leaf(leaf) => Some(self.leaves[*leaf].corners),
             Node::Union(members) => {
                 let boxes = members.iter().filter_map(|member| self.corners(*member));
-                boxes.reduce(|[low, high], [l, h]| [each(f64::min, low, l), each(f64::max, high, h)])
+                boxes
+                    .reduce(|[low, high], [l, h]| [each(f64::min, low, l), each(f64::max, high, h)])
             }
             Node::Pair { operation, left, right } => {
                 let [low, high] = self.corners(*left)?;
@@ -160,7 +164,8 @@ impl Solid for Scene {
         let Some(root) = walk.prune(&self.parts, &everywhere).root else { return };
         walk.look_along(*line, 0);
         let mut asked = walk.on(&self.parts);
-        let number = |crossing: Crossing<f64>| Crossing { face: first.offset(crossing.face.0), ..crossing };
+        let number =
+            |crossing: Crossing<f64>| Crossing { face: first.offset(crossing.face.0), ..crossing };
         let Step { inside, mut next } = asked.step(root, f64::NEG_INFINITY);
         let from_there = Crossing { t: f64::NEG_INFINITY, face: Face(0) };
         let mut enter = inside.then_some(from_there);

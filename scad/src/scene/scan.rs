@@ -76,7 +76,9 @@ impl<R: Outline<Scalar = f64>> Scan<R> for Scene {
     }
 
     fn enter(row: &mut Row<R>, column: u32) -> ColumnRun {
-        let Row { parts: Some(parts), extents, walk, root, .. } = row else { return ColumnRun::EMPTY };
+        let Row { parts: Some(parts), extents, walk, root, .. } = row else {
+            return ColumnRun::EMPTY;
+        };
         // The next column in which something begins bounds the run, too.
         let later = extents.iter().map(|extent| extent.start).filter(|start| *start > column);
         let next = later.min().unwrap_or(u32::MAX);
@@ -94,7 +96,14 @@ impl<R: Outline<Scalar = f64>> Scan<R> for Scene {
         row.root.is_some_and(|root| row.walk.on(&self.parts).contains(root, t))
     }
 
-    fn step<P: Path>(&self, _: &View<R>, row: &mut Row<R>, x: i32, t: f64, first: Face) -> Step<f64> {
+    fn step<P: Path>(
+        &self,
+        _: &View<R>,
+        row: &mut Row<R>,
+        x: i32,
+        t: f64,
+        first: Face,
+    ) -> Step<f64> {
         look(row, x);
         let Some(root) = row.root else { return Step::OUTSIDE };
         let mut step = row.walk.on(&self.parts).step(root, t);

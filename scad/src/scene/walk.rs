@@ -4,7 +4,9 @@ use super::leaf::into_frame;
 use super::{Node, Parts};
 use scancsg::geom::{Line, vec3};
 use scancsg::scan::Kept;
-use scancsg::span::walk::{Cold, Members, Operands, Path, Side, Step, contains, step, step_of_union};
+use scancsg::span::walk::{
+    Cold, Members, Operands, Path, Side, Step, contains, step, step_of_union,
+};
 use scancsg::span::{Crossing, Face, Operation, Span};
 
 /// The nodes that matter in a run of columns, and the spans of one line with their solids.
@@ -62,7 +64,11 @@ impl Walk {
     }
 
     /// Keeps the nodes that may be met. `visible` says up to which column a node is; a node that isn't says none.
-    pub(super) fn prune(&mut self, parts: &Parts, visible: &impl Fn(usize) -> Option<u32>) -> Pruned {
+    pub(super) fn prune(
+        &mut self,
+        parts: &Parts,
+        visible: &impl Fn(usize) -> Option<u32>,
+    ) -> Pruned {
         self.nodes.clear();
         self.members.clear();
         let mut until = u32::MAX;
@@ -82,7 +88,8 @@ impl Walk {
         let active = match &parts.nodes[node] {
             Node::Leaf(leaf) => Active::Leaf(*leaf),
             Node::Union(all) => {
-                let kept = all.iter().filter_map(|member| self.keep(parts, *member, visible, until));
+                let kept =
+                    all.iter().filter_map(|member| self.keep(parts, *member, visible, until));
                 let kept: Vec<usize> = kept.collect();
                 match kept[..] {
                     [] => return None,
@@ -135,7 +142,9 @@ impl Asked<'_> {
     pub(super) fn step(&mut self, node: usize, t: f64) -> Step<f64> {
         match self.walk.nodes[node] {
             Active::Leaf(leaf) => self.spans(leaf).behind(t, Face(0)),
-            Active::Union { from, to } => step_of_union::<Cold, _>(Those { asked: self, from, to }, t),
+            Active::Union { from, to } => {
+                step_of_union::<Cold, _>(Those { asked: self, from, to }, t)
+            }
             Active::Pair { operation, left, right } => {
                 step::<Cold, _>(Two { asked: self, operation, nodes: [left, right] }, t)
             }
