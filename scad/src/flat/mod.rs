@@ -3,10 +3,12 @@
 mod hull;
 mod offset;
 mod polygon;
+mod text;
 
 pub use hull::{Disc, hull_of_discs};
 pub use offset::{Join, offset};
 pub use polygon::Polygon;
+pub use text::{Text, text};
 
 use crate::map::{FlatMap, Point, SIX_DIGITS};
 use i_overlay::core::overlay_rule::OverlayRule;

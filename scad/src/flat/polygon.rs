@@ -33,6 +33,13 @@ impl Polygon {
         Self { parts }.on_points_of(outlines.iter().flatten())
     }
 
+    /// What is inside of outlines, all of which count as often as they go around: a letter of a font.
+    #[must_use]
+    pub fn of_letter(outlines: &[Vec<Point>]) -> Self {
+        let parts = outlines.to_vec().simplify_shape_as::<i64>(FillRule::NonZero);
+        Self { parts }.on_points_of(outlines.iter().flatten())
+    }
+
     /// What is inside one outline.
     #[must_use]
     pub fn of_outline(outline: Vec<Point>) -> Self {

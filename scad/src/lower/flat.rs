@@ -2,7 +2,7 @@
 
 use super::{Lowering, Shape};
 use crate::error::Error;
-use crate::flat::{Disc, Flat, Join, Polygon, offset};
+use crate::flat::{Disc, Flat, Join, Polygon, Text, offset};
 use crate::map::Point;
 use crate::parse::{Node, Value};
 
@@ -44,6 +44,23 @@ pub(super) fn polygon(node: &Node) -> Result<Shape, Error> {
     };
     let polygon = Polygon::of_outlines(&outlines);
     Ok(Shape::Flat(if polygon.parts().is_empty() { Flat::Empty } else { Flat::Polygon(polygon) }))
+}
+
+pub(super) fn text(node: &Node) -> Result<Shape, Error> {
+    if !matches!(node.text("direction"), None | Some("ltr" | "")) {
+        return Err(Error::not_modelled(node.line, "a text that doesn't run from left to right"));
+    }
+    let text = Text {
+        text: node.text("text").unwrap_or_default(),
+        size: node.number("size")?.unwrap_or(10.0),
+        spacing: node.number("spacing")?.unwrap_or(1.0),
+        font: node.text("font").unwrap_or_default(),
+        halign: node.text("halign").unwrap_or("left"),
+        valign: node.text("valign").unwrap_or("baseline"),
+    };
+    let set = crate::flat::text(&text);
+    set.map(Shape::Flat)
+        .ok_or_else(|| Error::not_modelled(node.line, "`text` where no font is installed"))
 }
 
 impl Lowering {

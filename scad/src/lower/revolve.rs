@@ -116,9 +116,10 @@ fn right_half(polygon: &Polygon) -> Polygon {
 /// The edges that go up are outside, those that go down are inside: what the former sweep less what the latter do.
 pub(super) fn revolved_convex(outline: &[Point], line: usize) -> Tree {
     let mut sides = [Vec::new(), Vec::new()];
+    let size = outline.iter().flatten().fold(0.0f64, |size, part| size.max(part.abs()));
     for (from, to) in outline.iter().zip(outline.iter().cycle().skip(1)) {
         let (lower, upper, side) = if from[1] < to[1] { (from, to, 0) } else { (to, from, 1) };
-        if lower[1] < upper[1] && lower[0] + upper[0] > 0.0 {
+        if upper[1] - lower[1] > 1e-9 * size && lower[0] + upper[0] > 0.0 {
             let form = frustum([lower[0], upper[0]], [lower[1], upper[1]]);
             sides[side].push(Tree::solid(form, line));
         }

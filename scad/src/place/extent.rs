@@ -6,6 +6,19 @@ use crate::tree::Form;
 use scancsg::geom::vec3;
 
 impl Body {
+    /// Whether it is too thin for its coordinates.
+    pub(super) fn is_flat(&self) -> bool {
+        match self {
+            Self::Cylinder { ends: [low, high], .. } | Self::Cone { ends: [low, high], .. } => {
+                low >= high
+            }
+            Self::Cuboid([low, high]) => low.x >= high.x || low.y >= high.y || low.z >= high.z,
+            Self::Sphere { .. } | Self::Torus { .. } | Self::Convex(_) | Self::Stretched(..) => {
+                false
+            }
+        }
+    }
+
     /// The lowest and the highest coordinates, in its frame.
     #[must_use]
     pub fn bounds(&self) -> [Vector; 2] {

@@ -111,7 +111,8 @@ impl Model {
                 ));
             }
             let (frame, body) = place(&mut frames, &solid);
-            Ok(Some(Placed { frame, body, color: solid.color, line: solid.line }))
+            let placed = Placed { frame, body, color: solid.color, line: solid.line };
+            Ok((!placed.body.is_flat()).then_some(placed))
         })?;
         let frames = frames.axes();
         merge::merge(&mut tree, frames.len());
