@@ -4,7 +4,8 @@ use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
 use scancsg_scad::picture::{Angles, BACKGROUND, View, render, write_png};
 use scancsg_scad::scene::Scene;
-use scancsg_scad::{Error, ErrorKind, Lowered, Model, lower, measure, parse, read};
+use scancsg_scad::{Error, ErrorKind, Lowered, Model, lower, measure, parse, read, rust};
+use std::fs;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
@@ -34,6 +35,9 @@ pub struct Options {
     /// From where: turns about x, y and z in degrees, as in OpenSCAD. 0,0,0 is from above, 90,0,0 from the front.
     #[arg(long, value_name = "X,Y,Z", default_value = "55,0,25", value_parser = angles, allow_hyphen_values = true)]
     camera: Angles,
+    /// Writes a constant of Rust: the part in typed solids, in `f32`.
+    #[arg(long, value_name = "RS")]
+    rust: Option<PathBuf>,
     /// Goes on without what isn't modelled, and says what that is.
     #[arg(long)]
     skip: bool,
@@ -86,6 +90,10 @@ fn act(options: &Options) -> Result<(), Error> {
         write_png(path, options.size, &pixels)?;
         println!("{} in {:.0?}", path.display(), began.elapsed());
     }
+    if let Some(path) = &options.rust {
+        let failed = |error| Error::file(format!("{}: {error}", path.display()));
+        fs::write(path, rust(&model, "PART")?).map_err(failed)?;
+    }
     if options.report {
         println!("solids     {}", counts.solids);
         println!("operators  {}, on {} levels", counts.operators, counts.levels);
@@ -100,7 +108,7 @@ fn act(options: &Options) -> Result<(), Error> {
                 println!("spans      {} on a line at most", measures.spans);
             }
         }
-    } else if options.out.is_none() {
+    } else if options.out.is_none() && options.rust.is_none() {
         println!("modelled: {} solids, {} operators", counts.solids, counts.operators);
     }
     Ok(())

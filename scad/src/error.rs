@@ -45,7 +45,9 @@ impl Error {
         Self { line: 0, kind: ErrorKind::Limit(what.into()) }
     }
 
-    pub(crate) fn file(what: impl Into<String>) -> Self {
+    /// A file that can't be read or written.
+    #[must_use]
+    pub fn file(what: impl Into<String>) -> Self {
         Self { line: 0, kind: ErrorKind::File(what.into()) }
     }
 }

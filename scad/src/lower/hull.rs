@@ -211,10 +211,12 @@ fn between_planes(bodies: &[Body], line: usize) -> Option<Tree> {
     };
     let has_all =
         |some: &[Disc], all: &[Disc]| some.iter().all(|a| all.iter().any(|b| is_disc(a, b)));
-    if is_same(low, high) || lower.len() + upper.len() != placed.len() {
-        return None;
-    }
-    if !(has_all(&lower, &upper) && has_all(&upper, &lower)) {
+    // What is between is in the prism if it is in both ends.
+    let all: Vec<Disc> = placed
+        .iter()
+        .map(|(center, radius)| Disc { center: [center.dot(u), center.dot(v)], radius: *radius })
+        .collect();
+    if is_same(low, high) || !(has_all(&all, &lower) && has_all(&all, &upper)) {
         return None;
     }
     let extrusion = Extrusion { heights: [low, high], scale: [1.0; 2], line };
