@@ -6,8 +6,14 @@ use scancsg_scad::picture::{Angles, BACKGROUND, View, render, write_png};
 use scancsg_scad::scene::Scene;
 use scancsg_scad::{Error, ErrorKind, Lowered, Model, lower, measure, parse, read, rust};
 use std::fs;
+use std::io::{self, Write};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
+
+/// Prints a line. Whoever reads it may have gone.
+macro_rules! say {
+    ($($line:tt)*) => {{ let _ = writeln!(io::stdout(), $($line)*); }};
+}
 
 /// Reads a part of OpenSCAD's and shows, measures or checks it.
 ///
@@ -88,28 +94,28 @@ fn act(options: &Options) -> Result<(), Error> {
         let view = View::of_all(&scene, options.camera, options.size)?;
         let pixels = working("rendering", || render(&scene, &view, options.size, BACKGROUND))?;
         write_png(path, options.size, &pixels)?;
-        println!("{} in {:.0?}", path.display(), began.elapsed());
+        say!("{} in {:.0?}", path.display(), began.elapsed());
     }
     if let Some(path) = &options.rust {
         let failed = |error| Error::file(format!("{}: {error}", path.display()));
         fs::write(path, rust(&model, "PART")?).map_err(failed)?;
     }
     if options.report {
-        println!("solids     {}", counts.solids);
-        println!("operators  {}, on {} levels", counts.operators, counts.levels);
-        println!("frames     {}", model.frames.len());
-        println!("modelled   in {modelled:.1?}");
+        say!("solids     {}", counts.solids);
+        say!("operators  {}, on {} levels", counts.operators, counts.levels);
+        say!("frames     {}", model.frames.len());
+        say!("modelled   in {modelled:.1?}");
         match working("measuring", || measure(&scene, options.pixels)) {
-            None => println!("volume     0"),
+            None => say!("volume     0"),
             Some(measures) => {
-                println!("volume     {:.6} ± {:.6}", measures.volume, measures.volume_error);
-                println!("from       {:?}", measures.low.to_array());
-                println!("to         {:?}", measures.high.to_array());
-                println!("spans      {} on a line at most", measures.spans);
+                say!("volume     {:.6} ± {:.6}", measures.volume, measures.volume_error);
+                say!("from       {:?}", measures.low.to_array());
+                say!("to         {:?}", measures.high.to_array());
+                say!("spans      {} on a line at most", measures.spans);
             }
         }
     } else if options.out.is_none() && options.rust.is_none() {
-        println!("modelled: {} solids, {} operators", counts.solids, counts.operators);
+        say!("modelled: {} solids, {} operators", counts.solids, counts.operators);
     }
     Ok(())
 }

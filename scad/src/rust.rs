@@ -29,7 +29,11 @@ pub fn rust(model: &Model, name: &str) -> Result<String, Error> {
     let mut text = String::from(
         "// Made by scancsg-scad.\n\n#[allow(unused_imports)]\nuse scancsg::{constant, geom::{AffineMap, vec3}, render::Rgb, solid::*};\n\n",
     );
-    let _ = write!(text, "/// The part.\npub const {name}: {} = {};\n", part.kind, part.value);
+    let _ = write!(
+        text,
+        "/// The part.\n#[allow(clippy::type_complexity)]\npub const {name}: {} = {};\n",
+        part.kind, part.value
+    );
     Ok(text)
 }
 

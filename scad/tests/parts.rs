@@ -21,7 +21,7 @@ fn parts_are_what_openscad_makes_of_them() -> Result<(), Box<dyn Error>> {
         }
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let reference = Reference::read(&name).ok_or(format!("no reference of {name}"))?;
-        let off = compare(&scene(&fs::read_to_string(&path)?)?, &reference)?;
+        let off = compare(&scene(&fs::read_to_string(&path)?)?, &reference, 130)?;
         assert!(off.volume.abs() < VOLUME && off.pixels < PIXELS, "{name}: {off:?}");
         count += 1;
     }
@@ -35,7 +35,8 @@ fn another_part_is_told_apart() -> Result<(), Box<dyn Error>> {
     let text = fs::read_to_string(folder().join("clip.csg"))?;
     let reference = Reference::read("clip").ok_or("no reference")?;
     // A bore of 6 becomes one of 6.1.
-    let off = compare(&scene(&text.replace("r1 = 6, r2 = 6", "r1 = 6.1, r2 = 6.1"))?, &reference)?;
+    let off =
+        compare(&scene(&text.replace("r1 = 6, r2 = 6", "r1 = 6.1, r2 = 6.1"))?, &reference, 130)?;
     assert!(off.volume.abs() > VOLUME && off.pixels > PIXELS, "{off:?}");
     Ok(())
 }

@@ -38,9 +38,9 @@ pub struct Difference {
     pub pixels: f64,
 }
 
-/// Compares a part with a reference.
-pub fn compare(scene: &Scene, reference: &Reference) -> Result<Difference, Error> {
-    let volume = measure(scene, 300).map_or(0.0, |measures| measures.volume);
+/// Compares a part with a reference. So many pixels a side measure its volume.
+pub fn compare(scene: &Scene, reference: &Reference, pixels: u16) -> Result<Difference, Error> {
+    let volume = measure(scene, pixels).map_or(0.0, |measures| measures.volume);
     let view =
         View { angles: Angles::default(), target: reference.target, height: reference.height };
     let seen = render(scene, &view, SIZE, Seen(false))?;
