@@ -12,7 +12,7 @@ use hal::Clock;
 use hal::uart::{UartConfig, UartPeripheral};
 use scancsg::render::{Gray8, Lambert, Picture, Size};
 use scancsg::scalar::I16F16;
-use scancsg::stream::{Looks, Patience, Plain, Sender, serve};
+use scancsg::stream::{Looks, Patience, Predictive, Sender, serve};
 use scene::{Scene, Tee};
 
 /// The part and its camera: put your own here.
@@ -66,7 +66,7 @@ fn run() -> Option<core::convert::Infallible> {
     let size = Size::new(WIDTH as u16, HEIGHT).ok()?;
     let mut picture = Picture::new(&TEE, &camera, size, light, Gray8(0));
     let mut row = [Gray8(0); WIDTH];
-    let mut sender = Sender::<_, 256>::new(Plain, PATIENCE);
+    let mut sender = Sender::<_, 256>::new(Predictive::<Gray8, WIDTH>::new(), PATIENCE);
     let mut frame = 0;
     loop {
         // A frame that was not delivered is dropped, and the next one begins anew.
