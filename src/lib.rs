@@ -7,6 +7,7 @@
 //! | to | use |
 //! |---|---|
 //! | make parts, combine them, cast single rays at them | [`solid`] |
+//! | build parts at run time | [`program`] |
 //! | render pictures, with shading and pixels of your choice | [`render`] |
 //! | cut parts open, know their volume and moments | [`inspect`] |
 //! | send pictures through a serial line, and receive them | [`stream`] |
@@ -15,6 +16,8 @@
 //! | choose a number type: `f32`, fixed point, `f64` on hosts | [`scalar`] |
 //! | read lists of spans, or walk a boolean tree of your own | [`span`] |
 //! | see how a picture scans a solid, or bound one | [`scan`] |
+//! | draw on other crates' displays, use their vectors | [`interop`] |
+//! | hand up errors of all kinds with `?` | [`Error`] |
 //! | put a part into flash, and check it while compiling | [`constant!`] |
 //!
 //! ```
@@ -70,8 +73,10 @@ extern crate std;
 mod error;
 pub mod geom;
 pub mod inspect;
+pub mod interop;
 mod numeric;
 mod primitive;
+pub mod program;
 mod quadric;
 mod query;
 pub mod render;
@@ -83,6 +88,7 @@ pub mod spline;
 pub mod stream;
 
 pub(crate) use error::error_text;
+pub use interop::Error;
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

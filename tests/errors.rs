@@ -6,6 +6,7 @@
 use embedded_io::ErrorKind;
 use scancsg::constant;
 use scancsg::geom::{Ray, RayError, Vec3, vec3};
+use scancsg::program::{BytesError, LineError, ProgramError};
 use scancsg::render::{
     CameraError, Gray8, Orthographic, Picture, RowError, Run, ShadeError, Size, SizeError, XRay,
 };
@@ -149,6 +150,13 @@ fn every_error_has_a_text_of_its_own() {
         Box::new(SizeError::Zero),
         Box::new(RowError::Index),
         Box::new(RowError::Length),
+        Box::new(ProgramError::Parts),
+        Box::new(ProgramError::Operands),
+        Box::new(ProgramError::CutInto),
+        Box::new(BytesError::Length),
+        Box::new(BytesError::Kind),
+        Box::new(BytesError::Tree),
+        Box::new(LineError::Spans),
     ];
     let texts: HashSet<String> = errors.iter().map(ToString::to_string).collect();
     assert_eq!(texts.len(), errors.len(), "{texts:?}");
@@ -228,6 +236,9 @@ fn errors_are_small_copies() {
         is_copy::<ShadeError>(),
         is_copy::<SizeError>(),
         is_copy::<RowError>(),
+        is_copy::<ProgramError>(),
+        is_copy::<BytesError>(),
+        is_copy::<LineError>(),
     ];
     assert!(sizes.iter().all(|&size| size <= 1), "{sizes:?}");
 }

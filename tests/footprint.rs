@@ -5,13 +5,15 @@
 #[path = "../examples/scene/mod.rs"]
 mod scene;
 
+use scene::program::Part;
 use scene::{Scene, Tee};
 
 use core::mem::size_of_val;
-use scancsg::geom::Rays;
+use scancsg::geom::{OrthographicRays, Rays};
+use scancsg::program::Program;
 use scancsg::render::{Camera, Gray8, Lambert, Picture, Size};
 use scancsg::scalar::I16F16;
-use scancsg::solid::Scan;
+use scancsg::solid::{Cylinder, Scan};
 use scancsg::stream::{PixelFormat, packet_capacity};
 
 fn size<S: Scene, C>(camera: &C) -> usize
@@ -39,4 +41,34 @@ fn a_render_of_tee_needs_little_memory() {
     assert!(single <= 2048, "{single}");
     assert!(fixed <= 3584, "{fixed}");
     assert_eq!(packet_capacity(160, PixelFormat::Gray8), 172);
+}
+
+/// The bytes of a program, and of its view and row, a part.
+fn bytes_of_a_part<L, const N: usize>() -> usize
+where
+    L: Scan<OrthographicRays<f32>, Scalar = f32>,
+{
+    let program = size_of::<Program<L, N>>();
+    let view = size_of::<<Program<L, N> as Scan<OrthographicRays<f32>>>::View>();
+    let row = size_of::<<Program<L, N> as Scan<OrthographicRays<f32>>>::Row>();
+    println!("{N} parts: {program} + {view} + {row} bytes");
+    (program + view + row).div_ceil(N)
+}
+
+#[test]
+fn programs_need_little_memory() {
+    let of_cylinders = [
+        bytes_of_a_part::<Cylinder<f32>, 16>(),
+        bytes_of_a_part::<Cylinder<f32>, 64>(),
+        bytes_of_a_part::<Cylinder<f32>, 256>(),
+    ];
+    let of_parts = [
+        bytes_of_a_part::<Part<f32>, 16>(),
+        bytes_of_a_part::<Part<f32>, 64>(),
+        bytes_of_a_part::<Part<f32>, 256>(),
+    ];
+    println!("a part: {of_cylinders:?}, {of_parts:?}");
+    // What primitives need, and 28 bytes.
+    assert!(of_cylinders.iter().all(|bytes| *bytes <= 176), "{of_cylinders:?}");
+    assert!(of_parts.iter().all(|bytes| *bytes <= 216), "{of_parts:?}");
 }

@@ -31,7 +31,7 @@ fn from_middle(index: u16, count: u16) -> i32 {
     2 * i32::from(index) + 1 - i32::from(count)
 }
 
-fn light() -> Option<Lambert<Number>> {
+pub fn light() -> Option<Lambert<Number>> {
     Lambert::new(Number::TO_LIGHT, Number::hundredths(15)).ok()
 }
 

@@ -13,6 +13,7 @@ mod coding;
 mod frames;
 mod parts;
 mod points;
+mod programs;
 #[path = "../scene/mod.rs"]
 mod scene;
 
@@ -58,6 +59,19 @@ fn main() -> ! {
         .sum();
     let pixels = u32::from(frames::WIDTH) * u32::from(frames::HEIGHT);
     report(["code a frame by prediction, a pixel", ""], coded / pixels);
+    for programs::Built { name, program, view, row, frame } in programs::PROGRAMS {
+        let built = counter.instructions(*program, 0);
+        let of_view = counter.instructions(*view, 0);
+        let of_row = |y: u16| counter.instructions(*row, y.into()).saturating_sub(of_view);
+        report([name, ": program"], built);
+        report([name, ": view and first row"], of_view.saturating_sub(built) + of_row(0));
+        report([name, ": middle row"], of_row(frames::HEIGHT / 2));
+        let all = (0..frames::HEIGHT).map(of_row).fold(of_view - built, u32::saturating_add);
+        let pixels = u32::from(frames::WIDTH) * u32::from(frames::HEIGHT);
+        report([name, ": frame, a pixel"], all / pixels);
+        // For `cargo xtask profile`.
+        frame(0);
+    }
     report(["points", ""], parts::digest());
     loop {
         board::finish(counter.error() <= 1);
@@ -83,5 +97,12 @@ fn main() {
         (frame.frame)(0);
         (frame.naive)(0);
         println!("{} frame, {} pixels wide: ran", frame.name, frames::WIDTH);
+    }
+    for built in programs::PROGRAMS {
+        (built.program)(0);
+        (built.view)(0);
+        (built.row)(0);
+        (built.frame)(0);
+        println!("{}: ran", built.name);
     }
 }

@@ -6,6 +6,7 @@
 pub mod housing;
 pub mod pipe;
 pub mod plate;
+pub mod program;
 
 use scancsg::constant;
 use scancsg::geom::{Vec3, vec3};

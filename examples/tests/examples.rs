@@ -277,3 +277,22 @@ fn the_rays_that_boards_count_are_the_benign_ones() {
     });
     assert!(table.clone().count() == 100 && table.eq(benign));
 }
+
+/// The arm turns, and the lidar sees it: at first, straight below it is the upper face of the lower link.
+#[test]
+fn a_lidar_meets_the_arm() {
+    let output = example("joint").output().unwrap();
+    assert!(output.status.success());
+    let said = String::from_utf8(output.stdout).unwrap();
+    let frames: Vec<&str> = said.split("frame ").skip(1).collect();
+    assert_eq!(frames.len(), 12);
+    let ranges = |frame: &str| -> Vec<String> {
+        let line = frame.trim_end().lines().last().unwrap();
+        line.split(' ').map(str::to_owned).collect()
+    };
+    assert_eq!((ranges(frames[0])[18].as_str(), ranges(frames[0])[6].as_str()), ("2.10", "-"));
+    let first_row = |frame: &str| frame.lines().nth(1).unwrap().len();
+    assert!(frames.iter().all(|frame| ranges(frame).len() == 24 && first_row(frame) == 60));
+    let picture = |frame: &str| frame.lines().skip(1).take(30).collect::<String>();
+    assert!(frames.windows(2).all(|pair| picture(pair[0]) != picture(pair[1])));
+}

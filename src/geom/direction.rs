@@ -1,7 +1,7 @@
 //! Unit vectors that know whether they point along a coordinate axis.
 
 use super::vec3::Vec3;
-use crate::scalar::{ConstOps, Number, Scalar, Stretch, per_scalar};
+use crate::scalar::{ConstOps, Number, Real, Scalar, Stretch, per_scalar};
 
 /// A vector of length 1 (up to rounding).
 ///
@@ -17,6 +17,7 @@ pub struct Direction<S: Scalar> {
 /// A coordinate axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Axis {
     /// The first.
     X,
@@ -35,6 +36,12 @@ per_scalar! { $S: impl[] Direction<$S> {
         Self { vector: Vec3 { x, y, z }, along: Axis::with(zeros) }
     }
 } }
+
+/// Whether a product of two vectors with lengths of about 1 is what it should be, up to their rounding:
+/// to 2⁻²³ of each coordinate, or better. Not for NaN.
+pub(super) fn is_rounded<T: Real>(product: T, exact: T) -> bool {
+    (product - exact).abs() * T::from_int(1 << 20) <= T::ONE
+}
 
 impl<S: Scalar> Direction<S> {
     pub(crate) const X: Self = Self {
@@ -63,6 +70,13 @@ impl<S: Scalar> Direction<S> {
     pub(crate) fn from_unit(vector: [S::Unit; 3]) -> Self {
         let along = Axis::with(vector.map(|coordinate| coordinate == S::Unit::ZERO));
         Self { vector: Vec3::from(vector), along }
+    }
+
+    /// The direction of a vector, if its length is 1 up to rounding.
+    pub(crate) fn of_length_1(vector: Vec3<S::Unit>) -> Option<Self> {
+        let fine = vector.map(S::wide_unit);
+        is_rounded(fine.dot_compensated(fine), S::Wide::ONE)
+            .then(|| Self::from_unit(vector.to_array()))
     }
 
     /// The direction of a finite vector, or `None` for zero.

@@ -7,7 +7,7 @@ use crate::scalar::Scalar;
 use crate::scan::{ColumnRun, Empty, Scan};
 use crate::solid::{Rgb, Seen, Solid};
 use crate::span::walk::{Cold, Hot, Step};
-use crate::span::{Crossing, Face, Span, SpanList};
+use crate::span::{Crossing, Face, Span, SpanList, check_room};
 use core::ops::Range;
 
 /// A solid, looked at by a camera, ready to be rendered row by row in any order.
@@ -154,6 +154,7 @@ fn from_middle(index: u32, count: u16) -> i32 {
 /// Columns next to each other that are rendered together.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Run {
     /// The columns.
     pub columns: Range<u16>,
@@ -255,9 +256,7 @@ where
         x: u16,
         list: &'l mut SpanList<R::Scalar, N>,
     ) -> &'l [Span<R::Scalar>] {
-        const {
-            assert!(N >= T::SPANS, "the span list is too small: see Shape::SPANS of the solid");
-        }
+        const { check_room(N, T::SPANS) };
         let column = u32::from(x);
         let (x, lowest) = (self.x(column), R::Scalar::LOWEST);
         let is_visible = self.enter(column).is_visible;

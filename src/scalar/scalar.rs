@@ -188,6 +188,7 @@ impl<S: Native> Float for S {}
 
 /// Where a line is inside a solid, in the line's parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Roots<S> {
     /// Nowhere.
     Outside,
@@ -240,6 +241,9 @@ pub trait FixedPoint: Scalar {
 
     /// A coordinate of a direction, in units of 2⁻²⁸.
     fn unit_bits(unit: Self::Unit) -> i32;
+
+    /// The coordinate of a direction that has so many units of 2⁻²⁸.
+    fn unit_from_bits(bits: i32) -> Self::Unit;
 }
 
 /// A matrix, by its rows.

@@ -57,6 +57,12 @@ impl<R: Empty, const N: usize> Empty for GroupRow<[Member<R>; N]> {
 }
 
 impl<R, const N: usize> GroupRow<[Member<R>; N]> {
+    /// The row of an element.
+    #[inline(always)]
+    pub(crate) fn row_of(&mut self, index: usize) -> Option<&mut R> {
+        self.members.get_mut(index).map(|member| &mut member.row)
+    }
+
     #[inline(always)]
     pub(crate) fn as_slice_mut(&mut self) -> &mut GroupRow<[Member<R>]> {
         self
@@ -131,6 +137,33 @@ impl<R> GroupRow<[Member<R>]> {
         let [_, until] = self.run;
         let until = if until == u16::MAX { u32::MAX } else { until.into() };
         ColumnRun { is_visible: self.active != NONE, until }
+    }
+
+    /// The band of rows that was asked for last, 0 for none.
+    pub(crate) fn band(&self) -> u16 {
+        self.band
+    }
+
+    /// The elements that may be seen in this band, the last one first.
+    pub(crate) fn in_band(&self) -> impl Iterator<Item = u16> {
+        self.members.iter().take(self.band_count.into()).map(|member| member.in_band)
+    }
+
+    /// The active elements, in their order.
+    pub(crate) fn active(&self) -> impl Iterator<Item = u16> + Clone {
+        let next = |index: &u16| Some(self.next_active(*index));
+        core::iter::successors(Some(self.active), next).take_while(|index| *index != NONE)
+    }
+
+    /// The active element behind another one, or an index that none has.
+    pub(crate) fn next_active(&self, index: u16) -> u16 {
+        self.members.get(usize::from(index)).map_or(NONE, |member| member.next)
+    }
+
+    /// Whether a column is in the run that was entered last.
+    pub(crate) fn is_entered(&self, column: u32) -> bool {
+        let [from, until] = self.run.map(u32::from);
+        from <= column && column < until
     }
 
     /// Before the first column, without elements.

@@ -35,9 +35,9 @@
 //!
 //! | solid | in constants, `T::<f32>::…` | for any number type, `T::<S>::…` |
 //! |---|---|---|
-//! | [`Cuboid`] | `new` | `between`, `of_size`, `around` |
-//! | [`Cylinder`] | `along_x`, `along_y`, `along_z`, `between`, `on`, `ring_along` | `along`, `from_to`, `on_axis`, `ring` |
-//! | [`Cone`] | `along_x`, `along_y`, `along_z`, `between`, `on` | `along`, `from_to`, `on_axis` |
+//! | [`Cuboid`] | `new`, `spanning` | `between`, `of_size`, `around` |
+//! | [`Cylinder`] | `spanning`, `along_x`, `along_y`, `along_z`, `between`, `on`, `ring_along` | `along`, `from_to`, `on_axis`, `ring` |
+//! | [`Cone`] | `spanning`, `along_x`, `along_y`, `along_z`, `between`, `on` | `along`, `from_to`, `on_axis` |
 //! | [`Capsule`] | `new` | `Cylinder::capsule` |
 //! | [`RoundedCuboid`] | `new` | `Cuboid::rounded` |
 //! | [`Sphere`] | `new` | `around` |
@@ -63,5 +63,6 @@ pub use crate::scan::bounds::Bounds;
 pub use crate::span::Shape;
 pub use combine::{Boolean, Difference, Intersection, Many, ManyError, Union};
 pub use compound::{Capsule, RoundedCuboid};
+pub(crate) use operators::operators;
 pub use pipe::{Pipe, PipeError};
 pub use wrap::{ByLine, Painted, Placed, Scaled, Wrap};

@@ -1,28 +1,32 @@
 //! The operators `|`, `&` and `-`, of every solid with any other.
 
 use super::{
-    Boolean, ByLine, Capsule, Cone, Cuboid, Cylinder, Difference, HalfSpace, Intersection, Many,
-    Painted, Pipe, Placed, Polyhedron, RoundedCuboid, Scaled, Slab, Sphere, Torus, Union,
+    Boolean, ByLine, Capsule, Cone, Cuboid, Cylinder, HalfSpace, Many, Painted, Pipe, Placed,
+    Polyhedron, RoundedCuboid, Scaled, Slab, Sphere, Torus,
 };
 use crate::scalar::Scalar;
 use crate::span::Shape;
-use core::ops::{BitAnd, BitOr, Sub};
 
 macro_rules! operators {
     ($([$($generics:tt)*] $Solid:ty),+ $(,)?) => {$(
-        operators! { BitOr, bitor, Union, [$($generics)*] $Solid }
-        operators! { BitAnd, bitand, Intersection, [$($generics)*] $Solid }
-        operators! { Sub, sub, Difference, [$($generics)*] $Solid }
+        $crate::solid::operators! { BitOr, bitor, Union, [$($generics)*] $Solid }
+        $crate::solid::operators! { BitAnd, bitand, Intersection, [$($generics)*] $Solid }
+        $crate::solid::operators! { Sub, sub, Difference, [$($generics)*] $Solid }
     )+};
     ($Operator:ident, $operator:ident, $Output:ident, [$($generics:tt)*] $Solid:ty) => {
-        impl<$($generics)*, Right> $Operator<Right> for $Solid {
-            type Output = $Output<Self, Right>;
+        impl<$($generics)*, Right> core::ops::$Operator<Right> for $Solid
+        where
+            $Solid: $crate::span::Shape,
+            Right: $crate::span::Shape<Scalar = <$Solid as $crate::span::Shape>::Scalar>,
+        {
+            type Output = $crate::solid::$Output<Self, Right>;
             fn $operator(self, right: Right) -> Self::Output {
-                Boolean::new(self, right)
+                $crate::solid::Boolean::new(self, right)
             }
         }
     };
 }
+pub(crate) use operators;
 
 operators! {
     [S: Scalar] Cuboid<S>,

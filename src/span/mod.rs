@@ -5,8 +5,10 @@
 //! every span has a length, and there is a gap between any two. So a face that two solids share
 //! leaves no trace in their union, and a solid minus itself is empty.
 
+pub mod chain;
 mod list;
 mod merge;
+mod room;
 mod shape;
 #[allow(clippy::module_inception)]
 mod span;
@@ -14,5 +16,6 @@ pub mod walk;
 
 pub use list::{SpanList, SpanStack, StackFull};
 pub use merge::{Operation, merge};
+pub(crate) use room::check_room;
 pub use shape::Shape;
 pub use span::{Crossing, Face, Span};

@@ -352,6 +352,7 @@ impl<'a> Assembler<'a> {
 /// Why a packet was not taken in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum ReceiveError {
     /// The header's frame has no pixels.

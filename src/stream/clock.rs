@@ -1,9 +1,6 @@
 //! What counts the ticks of the loops over a line.
 
-#[cfg(doc)]
-use super::{receive, serve};
-
-/// What counts the ticks of [`serve`] and [`receive`], and passes the time.
+/// What counts the ticks of [`serve`](super::serve) and [`receive`](super::receive), and passes the time.
 ///
 /// [`Looks`] needs no timer. Implement it for your timer to count milliseconds, or to sleep.
 pub trait Clock {

@@ -57,3 +57,16 @@ crate::error_text! {
         NoMemory => "receiver has no memory for rows that are coded together",
     }
 }
+
+crate::error_text! {
+    /// How a line failed, without its own error: what [`scancsg::Error`](crate::Error) keeps of a
+    /// [`ServeError`](super::ServeError).
+    pub enum LineError {
+        /// Writing failed.
+        Write => "writing to the line failed",
+        /// Reading failed.
+        Read => "reading from the line failed",
+        /// The other end is closed.
+        Closed => "line is closed at its other end",
+    }
+}

@@ -32,8 +32,8 @@ use crate::render::{Palette, RowSource};
 ///     Delivery, Looks, Patience, PixelFormat, Plain, Sender, encode_ack, row_capacity, serve,
 /// };
 ///
-/// /// In firmware, your HAL's serial port. Here the other end has answered beforehand.
-/// struct Port<'a>(&'a [u8]);
+/// /// In firmware, your HAL's serial port. Here the other end answers to the first flush.
+/// struct Port<'a>(&'a [u8], bool);
 /// # impl ErrorType for Port<'_> {
 /// #     type Error = ErrorKind;
 /// # }
@@ -44,7 +44,7 @@ use crate::render::{Palette, RowSource};
 /// # }
 /// # impl ReadReady for Port<'_> {
 /// #     fn read_ready(&mut self) -> Result<bool, ErrorKind> {
-/// #         Ok(!self.0.is_empty())
+/// #         Ok(self.1 && !self.0.is_empty())
 /// #     }
 /// # }
 /// # impl Write for Port<'_> {
@@ -52,6 +52,7 @@ use crate::render::{Palette, RowSource};
 /// #         Ok(bytes.len())
 /// #     }
 /// #     fn flush(&mut self) -> Result<(), ErrorKind> {
+/// #         self.1 = true;
 /// #         Ok(())
 /// #     }
 /// # }
@@ -64,7 +65,7 @@ use crate::render::{Palette, RowSource};
 ///
 /// let mut answer = [0; 16];
 /// let length = encode_ack(7, &mut answer)?;
-/// let mut port = Port(&answer[..length]);
+/// let mut port = Port(&answer[..length], false);
 ///
 /// let patience = Patience { ticks: 500_000, silences: 3 };
 /// let mut sender = Sender::<_, { row_capacity(32, PixelFormat::Gray8) }>::new(Plain, patience);

@@ -26,11 +26,12 @@ struct Step {
 }
 
 /// Quick ones first.
-const STEPS: [Step; 14] = [
+const STEPS: [Step; 15] = [
     Step { name: "format", what: "every file is formatted", run: format },
     Step { name: "layers", what: "files import downwards, and in no circle", run: layers },
     Step { name: "lints", what: "clippy, on all members and all features", run: lints },
     Step { name: "test", what: "README's test command", run: test },
+    Step { name: "features", what: "what other crates' types become, by feature", run: features },
     Step { name: "members", what: "tests of the test kit and of the chores", run: members },
     Step { name: "docs", what: "documentation without a warning", run: docs },
     Step { name: "accuracy", what: "every target, against exact arithmetic", run: accuracy },
@@ -126,8 +127,16 @@ fn test() -> Result<(), String> {
     done(&mut readme_command("cargo test")?)
 }
 
+/// What README's test command leaves out, which has no features.
+fn features() -> Result<(), String> {
+    done(&mut command(
+        "cargo test --package scancsg --all-features --test embedded_graphics --test serde",
+    ))?;
+    done(&mut command("cargo test --package scancsg --all-features --doc interop"))
+}
+
 fn members() -> Result<(), String> {
-    done(&mut command("cargo test --package testkit --package xtask"))?;
+    done(&mut command("cargo test --package testkit --package xtask --package display"))?;
     done(&mut command("cargo test --package scancsg --features async --test stream_async"))
 }
 

@@ -7,7 +7,7 @@ use std::path::Path;
 
 /// The folders of `src/`, the lowest first. What isn't here (`error.rs`, say) is beside them: all may
 /// import it, and it imports none of them.
-const LAYERS: [&str; 13] = [
+const LAYERS: [&str; 14] = [
     "numeric",
     "scalar",
     "span",
@@ -18,9 +18,11 @@ const LAYERS: [&str; 13] = [
     "query",
     "primitive",
     "solid",
+    "program",
     "inspect",
     "render",
     "stream",
+    "interop",
 ];
 
 /// A module's path within the crate, and paths of what is in it.

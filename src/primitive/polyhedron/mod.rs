@@ -1,14 +1,11 @@
 //! The convex polyhedron.
 
-mod error;
-mod half_space;
-mod hull;
 mod orthographic;
 mod perspective;
 
-pub use error::PolyhedronError;
-pub use half_space::HalfSpaceError;
+pub use crate::geom::hull::PolyhedronError;
 
+use crate::geom::hull::{self, Hull};
 use crate::geom::{Axis, Direction, Line, Vec3};
 use crate::quadric::{HalfSpace, meet};
 use crate::query::Solid;
@@ -16,7 +13,6 @@ use crate::scalar::{ConstOps, Number, Scalar, per_scalar};
 use crate::scan::bounds::Bounds;
 use crate::scan::leaf;
 use crate::span::{Face, Shape, SpanStack};
-use hull::Hull;
 
 /// A convex polyhedron of up to `N` faces: what all of its half-spaces have in common. Use it for prisms,
 /// wedges, frustums and convex hulls.
@@ -57,10 +53,10 @@ use hull::Hull;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Polyhedron<S: Scalar, const N: usize, F = [HalfSpace<S>; N]> {
     /// Those beyond `count` aren't used.
-    faces: F,
-    count: u16,
-    low: Vec3<S>,
-    high: Vec3<S>,
+    pub(crate) faces: F,
+    pub(crate) count: u16,
+    pub(crate) low: Vec3<S>,
+    pub(crate) high: Vec3<S>,
 }
 
 per_scalar! { $S: impl[const N: usize] Polyhedron<$S, N> {

@@ -48,7 +48,7 @@ use crate::span::{Face, Shape, Span, SpanStack};
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Torus<S: Scalar> {
-    ring: Ring<S>,
+    pub(crate) ring: Ring<S>,
 }
 
 crate::error_text! {
@@ -153,7 +153,12 @@ impl<S: Scalar> Torus<S> {
         Self::checked(center, axis, ring, tube)
     }
 
-    fn checked(center: Vec3<S>, axis: Direction<S>, ring: S, tube: S) -> Result<Self, TorusError> {
+    pub(crate) fn checked(
+        center: Vec3<S>,
+        axis: Direction<S>,
+        ring: S,
+        tube: S,
+    ) -> Result<Self, TorusError> {
         let is_finite = center.is_finite() && ring.is_finite() && tube.is_finite();
         match () {
             () if !is_finite => Err(TorusError::NotFinite),

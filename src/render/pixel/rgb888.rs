@@ -6,6 +6,7 @@ use crate::solid::Rgb;
 /// A colour pixel of 24 bits: red, green, blue.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Rgb888(pub [u8; 3]);
 
 impl Pixel for Rgb888 {

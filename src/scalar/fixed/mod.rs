@@ -349,4 +349,9 @@ impl<F: Fraction> FixedPoint for FixedI32<F> {
     fn unit_bits(unit: Unit) -> i32 {
         unit.to_bits()
     }
+
+    #[inline]
+    fn unit_from_bits(bits: i32) -> Unit {
+        Unit::from_bits(bits)
+    }
 }

@@ -18,6 +18,7 @@ use crate::scan::Empty;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Bounds<S> {
     /// Nothing is known, or the solid has no end.
@@ -55,6 +56,52 @@ impl<S: Scalar> Bounds<S> {
         };
         let around = Around { center, half, is_ball: matches!(self, Self::Ball { .. }) };
         (center.is_finite() && half.is_finite()).then_some(around)
+    }
+
+    /// The middle and the radius of a ball around the bounds, or `None` if there are none: for a camera that
+    /// is to see all of a solid that isn't known beforehand.
+    ///
+    /// ```
+    /// use scancsg::geom::vec3;
+    /// use scancsg::render::Orthographic;
+    /// use scancsg::solid::{Cuboid, Solid};
+    ///
+    /// let part = Cuboid::<f32>::new(vec3(0.0, 0.0, 0.0), vec3(2.0, 4.0, 4.0))?;
+    /// let (middle, radius) = part.bounds().ball().ok_or("the part has no end")?;
+    /// assert_eq!((middle, radius), (vec3(1.0, 2.0, 2.0), 3.0));
+    /// let (along, up) = (vec3(-1.0, -1.0, -1.0), vec3(0.0, 0.0, 1.0));
+    /// let camera = Orthographic::look_along(along, middle, up, 2.0 * radius)?;
+    /// # let _ = camera;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn ball(&self) -> Option<(Vec3<S>, S)> {
+        let around = self.middle()?;
+        Some((around.center.map(S::from_wide), S::from_wide(around.radius())))
+    }
+
+    /// Bounds around two solids.
+    pub(crate) fn united(&self, other: &Self) -> Self {
+        let (Some([low, high]), Some([other_low, other_high])) = (self.corners(), other.corners())
+        else {
+            return Self::Unbounded;
+        };
+        let each = |of: fn(S, S) -> S, a: Vec3<S>, b: Vec3<S>| {
+            Vec3::new(of(a.x, b.x), of(a.y, b.y), of(a.z, b.z))
+        };
+        Self::Box { low: each(S::min, low, other_low), high: each(S::max, high, other_high) }
+    }
+
+    /// The corners of a box around the bounds.
+    fn corners(&self) -> Option<[Vec3<S>; 2]> {
+        let Around { center, half, .. } = self.middle()?;
+        if let Self::Box { low, high } = *self {
+            return Some([low, high]);
+        }
+        // Room for what rounding may move.
+        let room = S::uncertainty(center.max_abs() + half.max_abs()) + S::ROUNDING.wide();
+        let half = half + Vec3::new(room, room, room);
+        Some([center - half, center + half].map(|corner| corner.map(S::from_wide)))
     }
 
     /// The bounds of the solid moved by a pose.
@@ -114,6 +161,7 @@ pub trait Silhouette {
 
 /// Every pixel: the silhouette of what has no bounds, or of rays that know none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Anywhere;
 
 impl Empty for Anywhere {
@@ -143,6 +191,7 @@ impl<T: Silhouette> Silhouette for Option<T> {
 
 /// A rectangle in the image plane.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rectangle {
     rows: Rows,
     columns: Steps,

@@ -79,6 +79,7 @@ impl<T: Shape> Wrap for &T {
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<W: Wrap> Shape for W {
     type Scalar = <W::Inner as Shape>::Scalar;
     const SPANS: usize = W::Inner::SPANS;
@@ -111,6 +112,7 @@ fn own_cosine<S: Scalar, W: Wrap<Inner: Solid<Scalar = S>>>(
     of.inner().cosine(face, at, to)
 }
 
+#[diagnostic::do_not_recommend]
 impl<W: Wrap<Inner: Solid>> Solid for W {
     #[inline]
     fn spans(
@@ -169,6 +171,7 @@ impl<W: Wrap<Inner: Solid>> Solid for W {
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<R, W> Scan<R> for W
 where
     W: Wrap<Inner: Scan<R>>,

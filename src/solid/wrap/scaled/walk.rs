@@ -24,7 +24,7 @@ pub(super) type RowOf<T> = OwnRow<
     <T as Scan<OrthographicRays<<T as Shape>::Scalar>>>::Row,
 >;
 
-impl<V, D> OwnRow<V, D> {
+impl<V, D: Empty> OwnRow<V, D> {
     /// Sets the row in the middle of a picture, or none.
     pub(super) fn set<S, T>(&mut self, solid: &T, rays: Option<&OrthographicRays<S>>)
     where
@@ -34,6 +34,8 @@ impl<V, D> OwnRow<V, D> {
         self.is_there = false;
         if let Some(rays) = rays {
             self.is_there = true;
+            // What a group keeps of a band of rows is true of one view.
+            self.row = D::EMPTY;
             solid.view(rays, &mut self.view);
             solid.row(&self.view, 0, rays.columns, &mut self.row);
         }

@@ -144,7 +144,8 @@ fn the_documentation_is_right() {
     assert!(all.contains(&hex(&START)));
     let rows =
         [[0, 0, 0, 50, 60, 70, 80, 0], [0, 0, 0, 51, 61, 71, 81, 0], [0, 0, 0, 52, 64, 90, 90, 0]];
-    let (payloads, _) = encode(&mut Levels, 8, rows.map(|row| row.map(Gray8)).as_flattened());
+    let (payloads, _) =
+        encode(&mut Levels::<u8>(PhantomData), 8, rows.map(|row| row.map(Gray8)).as_flattened());
     assert_eq!(payloads.len(), 1);
     assert!(all.contains(&std::format!("Thepayload`{}`holds", hex(&payloads[0].1))));
 }
@@ -227,7 +228,7 @@ proptest! {
             decoder.row(&mut above, width);
             // Nothing is behind the last pixel.
             let unused = 0xFF_u16 >> ((width - 1) % 8) >> 1;
-            prop_assert_eq!(u16::from(above[size - 1]) & unused, 0);
+            prop_assert_eq!(above[size - 1] & unused, 0);
         }
     }
 

@@ -1,25 +1,28 @@
 //! The corners of a convex polyhedron from its faces, in double precision: when it is made, also in constants.
 
-use super::error::PolyhedronError;
-use crate::geom::Axis;
+mod error;
+
+pub use error::PolyhedronError;
+
+use super::direction::Axis;
 use crate::scalar::{Double, Grid, normalized};
 
 /// A face: its normal, and how far along it the plane lies.
-pub(super) type Plane = ([f64; 3], f64);
+pub(crate) type Plane = ([f64; 3], f64);
 
 /// A checked polyhedron: its first faces, how many there are, and its lowest and highest coordinates.
-pub(super) struct Hull<const N: usize> {
-    pub(super) planes: [Plane; N],
-    pub(super) count: usize,
-    pub(super) low: [f64; 3],
-    pub(super) high: [f64; 3],
+pub(crate) struct Hull<const N: usize> {
+    pub(crate) planes: [Plane; N],
+    pub(crate) count: usize,
+    pub(crate) low: [f64; 3],
+    pub(crate) high: [f64; 3],
 }
 
 /// A face beyond the last one.
-pub(super) const UNUSED: Plane = ([0.0; 3], 0.0);
+pub(crate) const UNUSED: Plane = ([0.0; 3], 0.0);
 
 /// What planes have in common.
-pub(super) const fn of_planes<const N: usize>(
+pub(crate) const fn of_planes<const N: usize>(
     planes: [Plane; N],
     count: usize,
     grid: Grid,
@@ -32,7 +35,7 @@ pub(super) const fn of_planes<const N: usize>(
 }
 
 /// The prism over a convex polygon.
-pub(super) const fn prism<const N: usize, const M: usize>(
+pub(crate) const fn prism<const N: usize, const M: usize>(
     axis: Axis,
     polygon: [[f64; 2]; M],
     ends: [f64; 2],
@@ -80,7 +83,7 @@ const AROUND: [[usize; 4]; 6] =
     [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
 
 /// The solid between eight corners.
-pub(super) const fn frustum<const N: usize>(
+pub(crate) const fn frustum<const N: usize>(
     corners: [[f64; 3]; 8],
     grid: Grid,
 ) -> Result<Hull<N>, PolyhedronError> {

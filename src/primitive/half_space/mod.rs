@@ -1,5 +1,8 @@
 //! Constructors of the half-space, and what it is as a solid.
 
+mod orthographic;
+mod perspective;
+
 use crate::geom::{Axis, Direction, Line, Vec3};
 use crate::quadric::{HalfSpace, meet};
 use crate::query::Solid;

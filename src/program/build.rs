@@ -1,0 +1,334 @@
+//! Programs, and how they are built and changed.
+
+use super::in_place::InPlace;
+use super::tree::{Kind, MOST_LEAVES, Tree, TreeRef};
+use crate::geom::Pose;
+use crate::solid::Rgb;
+use crate::span::Shape;
+
+/// A solid whose tree is built at run time: up to `PARTS` leaves of one kind, combined in postfix order.
+///
+/// Use it where the tree isn't known to the compiler: a part that comes over the wire, a mechanism that
+/// moves, a radius that a user turns. `L` is a solid, or an enum of the solids that a firmware names:
+/// see [`leaves!`](crate::leaves).
+///
+/// The last operand is what was pushed or combined last. Operands that nothing combines are united.
+///
+/// ```
+/// use scancsg::geom::{Ray, vec3};
+/// use scancsg::program::Program;
+/// use scancsg::solid::{Cuboid, Cylinder, Solid};
+/// use scancsg::span::SpanList;
+///
+/// scancsg::leaves! {
+///     /// What parts are made of.
+///     pub enum Part<S> {
+///         Cylinder(Cylinder<S>),
+///         Cuboid(Cuboid<S>),
+///     }
+/// }
+///
+/// let plate = Cuboid::<f32>::new(vec3(-3.0, -1.0, 0.0), vec3(3.0, 1.0, 0.5))?;
+/// let hole = |x| Cylinder::<f32>::along_z(x, 0.0, 0.4, -1.0, 1.0);
+///
+/// let mut drilled = Program::<Part<f32>, 8>::new(Part::Cuboid(plate));
+/// drilled.push(Part::Cylinder(hole(-2.0)?))?;
+/// let last = drilled.push(Part::Cylinder(hole(2.0)?))?;
+/// drilled.subtract(2)?; // both holes from the plate
+///
+/// let ray = Ray::new(vec3(2.0, 0.0, 5.0), vec3(0.0, 0.0, -1.0))?;
+/// let mut list = SpanList::<f32, 32>::new();
+/// assert_eq!(drilled.trace(&ray, &mut list)?, []);
+///
+/// *drilled.part_mut(last)? = Part::Cylinder(hole(1.0)?);
+/// assert_eq!(drilled.trace(&ray, &mut list)?.len(), 1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// Parts may stand in one of up to `POSES` frames. A frame that is turned takes all of its parts along:
+/// see [`set_pose`](Self::set_pose).
+///
+/// `SPANS` is the room for the spans of a single ray, and while they are merged. More of them are an
+/// error of [`trace`](Self::trace) and [`hit`](Self::hit). Pictures need no such room.
+///
+/// Part i has the faces from i times [`Shape::FACES`] of `L` on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Program<L: Shape, const PARTS: usize, const POSES: usize = 0, const SPANS: usize = 32> {
+    /// Behind the last one, the first one again and again.
+    pub(super) leaves: [L; PARTS],
+    places: [Place; PARTS],
+    tree: Tree<PARTS>,
+    poses: [Pose<L::Scalar>; POSES],
+    pose_count: u8,
+}
+
+/// What else there is of a part.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Place {
+    color: Rgb,
+    /// The index of its pose, or one that no pose has.
+    pose: u8,
+    is_painted: bool,
+    /// Whether it is cut away, so that its faces are seen from their other side.
+    is_cut: bool,
+}
+
+impl Place {
+    const HERE: Self = Self { color: Rgb::WHITE, pose: NO_POSE, is_painted: false, is_cut: false };
+}
+
+const NO_POSE: u8 = u8::MAX;
+
+crate::error_text! {
+    /// Why a [`Program`] can't be changed like that.
+    pub enum ProgramError {
+        /// There is no room for another part.
+        Parts => "the program has no room for another part",
+        /// There is no room for another pose.
+        Poses => "the program has no room for another pose",
+        /// There are fewer operands than are to be combined.
+        Operands => "there are fewer operands than are to be combined",
+        /// No part has this index.
+        NoPart => "the program has no part of this index",
+        /// No pose has this index.
+        NoPose => "the program has no pose of this index",
+        /// The last part can't be removed.
+        LastPart => "a program needs at least one part",
+        /// Something is cut out of the part that is to be removed. What would be left?
+        CutInto => "something is cut out of this part, so it can't be removed",
+    }
+}
+
+impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize>
+    Program<L, PARTS, POSES, SPANS>
+where
+    L: Copy,
+{
+    /// A program of one part.
+    #[must_use]
+    pub const fn new(first: L) -> Self {
+        const {
+            assert!(PARTS > 0, "a program needs room for at least one part");
+            assert!(PARTS < MOST_LEAVES, "a program has less than 16,384 parts");
+            assert!(POSES < NO_POSE as usize, "a program has at most 254 poses");
+            assert!(PARTS * (L::FACES as usize) < u16::MAX as usize - 2, "too many faces");
+        }
+        Self {
+            leaves: [first; PARTS],
+            places: [Place::HERE; PARTS],
+            tree: Tree::LEAF,
+            poses: [Pose::IDENTITY; POSES],
+            pose_count: 0,
+        }
+    }
+
+    /// Adds a part, as the last operand, and returns its index.
+    ///
+    /// # Errors
+    /// [`ProgramError::Parts`].
+    pub const fn push(&mut self, part: L) -> Result<usize, ProgramError> {
+        let index = self.tree.leaves();
+        if index >= PARTS || !self.tree.push() {
+            return Err(ProgramError::Parts);
+        }
+        self.leaves[index] = part;
+        self.places[index] = Place::HERE;
+        Ok(index)
+    }
+
+    /// Removes a part, and the operation that has it as its operand: the other operand stays. Parts
+    /// behind it have an index less.
+    ///
+    /// # Errors
+    /// [`ProgramError::NoPart`], [`ProgramError::LastPart`]; [`ProgramError::CutInto`] where others are
+    /// cut out of this part alone.
+    pub const fn remove(&mut self, part: usize) -> Result<(), ProgramError> {
+        let count = self.tree.leaves();
+        if let Err(error) = self.check(part) {
+            return Err(error);
+        }
+        if count == 1 {
+            return Err(ProgramError::LastPart);
+        }
+        if self.tree.is_cut_into(part) {
+            return Err(ProgramError::CutInto);
+        }
+        self.tree.remove(part);
+        let mut index = part;
+        while index + 1 < count {
+            self.leaves[index] = self.leaves[index + 1];
+            self.places[index] = self.places[index + 1];
+            index += 1;
+        }
+        Ok(())
+    }
+}
+
+impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize>
+    Program<L, PARTS, POSES, SPANS>
+{
+    /// Takes the last `count` operands for their union.
+    ///
+    /// # Errors
+    /// [`ProgramError::Operands`] for fewer operands than that, or a `count` of 0.
+    pub const fn unite(&mut self, count: usize) -> Result<(), ProgramError> {
+        self.combine(count, Kind::Unite, Kind::Unite)
+    }
+
+    /// Takes the last `count` operands for what they have in common.
+    ///
+    /// # Errors
+    /// As [`unite`](Self::unite).
+    pub const fn intersect(&mut self, count: usize) -> Result<(), ProgramError> {
+        self.combine(count, Kind::Intersect, Kind::Intersect)
+    }
+
+    /// Cuts the last `count` operands out of the one before them.
+    ///
+    /// # Errors
+    /// [`ProgramError::Operands`] for no more operands than that, or a `count` of 0.
+    pub const fn subtract(&mut self, count: usize) -> Result<(), ProgramError> {
+        if count == 0 || count >= self.tree.open() {
+            return Err(ProgramError::Operands);
+        }
+        let mut index = self.tree.start_of(count);
+        while index < self.tree.leaves() {
+            self.places[index].is_cut = !self.places[index].is_cut;
+            index += 1;
+        }
+        self.combine(count + 1, Kind::Unite, Kind::Subtract)
+    }
+
+    const fn combine(&mut self, count: usize, kind: Kind, last: Kind) -> Result<(), ProgramError> {
+        if count == 0 || count > self.tree.open() {
+            return Err(ProgramError::Operands);
+        }
+        let mut left = count;
+        while left > 1 {
+            self.tree.combine(if left == 2 { last } else { kind });
+            left -= 1;
+        }
+        Ok(())
+    }
+
+    /// The number of parts.
+    #[must_use]
+    pub const fn part_count(&self) -> usize {
+        self.tree.leaves()
+    }
+
+    /// The number of operands that nothing combines yet.
+    #[must_use]
+    pub const fn operand_count(&self) -> usize {
+        self.tree.open()
+    }
+
+    const fn check(&self, part: usize) -> Result<(), ProgramError> {
+        if part < self.tree.leaves() { Ok(()) } else { Err(ProgramError::NoPart) }
+    }
+
+    /// A part.
+    ///
+    /// # Errors
+    /// [`ProgramError::NoPart`].
+    pub const fn part(&self, part: usize) -> Result<&L, ProgramError> {
+        match self.check(part) {
+            Ok(()) => Ok(&self.leaves[part]),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// A part, to change it.
+    ///
+    /// # Errors
+    /// [`ProgramError::NoPart`].
+    pub const fn part_mut(&mut self, part: usize) -> Result<&mut L, ProgramError> {
+        match self.check(part) {
+            Ok(()) => Ok(&mut self.leaves[part]),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Gives a part a colour, or takes it away. Faces of a part that have one of their own keep that.
+    ///
+    /// # Errors
+    /// [`ProgramError::NoPart`].
+    pub const fn paint(&mut self, part: usize, color: Option<Rgb>) -> Result<(), ProgramError> {
+        if let Err(error) = self.check(part) {
+            return Err(error);
+        }
+        let place = &mut self.places[part];
+        place.is_painted = color.is_some();
+        if let Some(color) = color {
+            place.color = color;
+        }
+        Ok(())
+    }
+
+    /// Adds a frame that parts can stand in, and returns its index.
+    ///
+    /// # Errors
+    /// [`ProgramError::Poses`].
+    pub const fn add_pose(&mut self, pose: Pose<L::Scalar>) -> Result<usize, ProgramError> {
+        let index = self.pose_count as usize;
+        if index >= POSES {
+            return Err(ProgramError::Poses);
+        }
+        self.poses[index] = pose;
+        self.pose_count += 1;
+        Ok(index)
+    }
+
+    /// Moves a frame, and all parts that stand in it.
+    ///
+    /// # Errors
+    /// [`ProgramError::NoPose`].
+    pub const fn set_pose(&mut self, pose: usize, to: Pose<L::Scalar>) -> Result<(), ProgramError> {
+        if pose >= self.pose_count as usize || pose >= POSES {
+            return Err(ProgramError::NoPose);
+        }
+        self.poses[pose] = to;
+        Ok(())
+    }
+
+    /// Puts a part into a frame, or back into the scene's.
+    ///
+    /// # Errors
+    /// [`ProgramError::NoPart`], [`ProgramError::NoPose`].
+    pub const fn place(&mut self, part: usize, pose: Option<usize>) -> Result<(), ProgramError> {
+        if let Err(error) = self.check(part) {
+            return Err(error);
+        }
+        self.places[part].pose = match pose {
+            Some(pose) if pose >= self.pose_count as usize => return Err(ProgramError::NoPose),
+            Some(pose) => pose as u8,
+            None => NO_POSE,
+        };
+        Ok(())
+    }
+
+    /// A part where it stands, and whether it is cut away.
+    pub(super) fn in_place(&self, part: usize) -> Option<(InPlace<'_, L>, bool)> {
+        let (leaf, place) = (self.leaves().get(part)?, self.places.get(part)?);
+        let pose = self.poses.get(usize::from(place.pose));
+        let color = place.is_painted.then_some(place.color);
+        Some((InPlace { leaf, pose, color }, place.is_cut))
+    }
+
+    /// The index of a part's pose.
+    pub(super) fn pose_of(&self, part: usize) -> Option<u8> {
+        self.places.get(part).map(|place| place.pose).filter(|pose| *pose != NO_POSE)
+    }
+
+    pub(super) fn poses(&self) -> &[Pose<L::Scalar>] {
+        self.poses.get(..self.pose_count.into()).unwrap_or_default()
+    }
+
+    pub(super) fn leaves(&self) -> &[L] {
+        self.leaves.get(..self.tree.leaves()).unwrap_or_default()
+    }
+
+    pub(super) fn tree(&self) -> TreeRef<'_> {
+        self.tree.as_ref()
+    }
+}

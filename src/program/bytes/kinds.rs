@@ -1,0 +1,154 @@
+//! The solids that have a form as bytes.
+
+use super::{BytesError, Reader, Writer};
+use crate::geom::Direction;
+use crate::quadric::{HalfSpace, Planes, Ring, Taper, Wall};
+use crate::scalar::Scalar;
+use crate::solid::{Bounds, Cone, Cuboid, Cylinder, Polyhedron, Solid, Sphere, Torus};
+use crate::span::Shape;
+
+/// A solid that has a form as bytes, or an enum of several.
+///
+/// The crate's primitives have kinds below 128. A solid of yours takes one from 128 to 239.
+pub trait Coded: Shape + Sized {
+    /// Whether a solid of a kind may be one.
+    fn has_kind(kind: u8) -> bool;
+
+    /// The kind of this one.
+    fn kind(&self) -> u8;
+
+    /// Writes all numbers of it.
+    ///
+    /// # Errors
+    /// [`BytesError::Length`].
+    fn write(&self, to: &mut Writer<'_>) -> Result<(), BytesError>;
+
+    /// Reads one of a kind.
+    ///
+    /// # Errors
+    /// [`BytesError::Kind`] for a kind that it doesn't [have](Self::has_kind), [`BytesError::Solid`],
+    /// [`BytesError::Length`].
+    fn read(kind: u8, from: &mut Reader<'_>) -> Result<Self, BytesError>;
+}
+
+macro_rules! coded {
+    ($($Solid:ident = $kind:literal: |$solid:ident, $to:ident| $write:expr, |$from:ident| $read:expr;)+) => {$(
+        impl<S: Scalar> Coded for $Solid<S> {
+            fn has_kind(kind: u8) -> bool {
+                kind == $kind
+            }
+
+            fn kind(&self) -> u8 {
+                $kind
+            }
+
+            fn write(&self, $to: &mut Writer<'_>) -> Result<(), BytesError> {
+                let $solid = self;
+                $write
+            }
+
+            fn read(kind: u8, $from: &mut Reader<'_>) -> Result<Self, BytesError> {
+                if kind != $kind {
+                    return Err(BytesError::Kind);
+                }
+                $read.map_err(|_| BytesError::Solid)
+            }
+        }
+    )+};
+}
+
+coded! {
+    Cylinder = 1: |solid, to| {
+        let Wall { base, radius, .. } = solid.wall;
+        to.vector(base)?;
+        to.number(radius)?;
+        planes(&solid.caps, to)
+    }, |from| Cylinder::checked(from.vector()?, from.number()?, caps(from)?);
+
+    Cuboid = 2: |solid, to| {
+        solid.corners().into_iter().try_for_each(|corner| to.vector(corner))
+    }, |from| Cuboid::between(from.vector()?, from.vector()?);
+
+    Sphere = 3: |solid, to| match solid.bounds() {
+        Bounds::Ball { center, radius } => {
+            to.vector(center)?;
+            to.number(radius)
+        }
+        _ => Err(BytesError::Solid),
+    }, |from| Sphere::around(from.vector()?, from.number()?);
+
+    Cone = 4: |solid, to| {
+        let Taper { base, radii, .. } = solid.taper;
+        to.vector(base)?;
+        radii.into_iter().try_for_each(|radius| to.number(radius))?;
+        planes(&solid.caps, to)
+    }, |from| {
+        let (base, low, high) = (from.vector()?, from.number::<S>()?, from.number::<S>()?);
+        Cone::checked(Cylinder::checked(base, low.max(high), caps(from)?), [low, high])
+    };
+
+    Torus = 5: |solid, to| {
+        let Ring { center, axis, radius, tube } = &solid.ring;
+        to.vector(*center)?;
+        to.direction(axis)?;
+        to.number(*radius)?;
+        to.number(*tube)
+    }, |from| {
+        Torus::checked(from.vector()?, from.direction()?, from.number()?, from.number()?)
+    };
+
+    HalfSpace = 6: |solid, to| {
+        to.direction(&solid.normal)?;
+        to.number(solid.offset)
+    }, |from| half_space::<S>(from);
+}
+
+/// As many faces as there are, and the corners of a box around them, which isn't computed again.
+impl<S: Scalar, const N: usize> Coded for Polyhedron<S, N> {
+    fn has_kind(kind: u8) -> bool {
+        kind == POLYHEDRON
+    }
+
+    fn kind(&self) -> u8 {
+        POLYHEDRON
+    }
+
+    fn write(&self, to: &mut Writer<'_>) -> Result<(), BytesError> {
+        let count = u8::try_from(self.faces().len()).map_err(|_| BytesError::Length)?;
+        to.bytes(&[count])?;
+        self.faces().iter().try_for_each(|face| face.write(to))?;
+        [self.low, self.high].into_iter().try_for_each(|corner| to.vector(corner))
+    }
+
+    fn read(kind: u8, from: &mut Reader<'_>) -> Result<Self, BytesError> {
+        if kind != POLYHEDRON {
+            return Err(BytesError::Kind);
+        }
+        let [count] = from.array()?;
+        let mut faces = [HalfSpace { normal: Direction::Z, offset: S::ZERO }; N];
+        let used = faces.get_mut(..count.into()).filter(|used| !used.is_empty());
+        for face in used.ok_or(BytesError::Solid)? {
+            *face = half_space(from)?;
+        }
+        let (low, high) = (from.vector()?, from.vector()?);
+        Cuboid::between(low, high).map_err(|_| BytesError::Solid)?;
+        Ok(Self { faces, count: count.into(), low, high })
+    }
+}
+
+const POLYHEDRON: u8 = 7;
+
+fn half_space<S: Scalar>(from: &mut Reader<'_>) -> Result<HalfSpace<S>, BytesError> {
+    let (normal, offset) = (from.direction()?, from.number::<S>()?);
+    if offset.is_within_range() { Ok(HalfSpace { normal, offset }) } else { Err(BytesError::Solid) }
+}
+
+fn planes<S: Scalar>(planes: &Planes<S>, to: &mut Writer<'_>) -> Result<(), BytesError> {
+    to.direction(&planes.normal)?;
+    to.number(planes.low)?;
+    to.number(planes.high)
+}
+
+fn caps<S: Scalar>(from: &mut Reader<'_>) -> Result<Planes<S>, BytesError> {
+    Ok(Planes { normal: from.direction()?, low: from.number()?, high: from.number()? })
+}

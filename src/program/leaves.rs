@@ -1,0 +1,247 @@
+//! An enum of the solids that programs are made of.
+
+/// Makes an enum of solids: what the parts of a [`Program`](crate::program::Program) can be. What it
+/// doesn't name isn't linked.
+///
+/// The enum is a solid itself, and is seen along all rays that all of its solids are seen along. Its
+/// parameter is the number type.
+///
+/// Each part takes as much memory as the largest of these solids, and so do its view and its row. So a
+/// [`Polyhedron`](crate::solid::Polyhedron) is named with the number of faces that most need: those with more are an intersection of
+/// several. Faces in one pool would save little, because a view and a row have a place for each face, too.
+///
+/// Where all of the solids have a form as bytes ([`Coded`](crate::program::Coded)), the enum has one, too.
+///
+/// ```
+/// use scancsg::geom::vec3;
+/// use scancsg::solid::{Cylinder, Difference, Sphere};
+///
+/// scancsg::leaves! {
+///     /// Balls and tubes.
+///     pub enum Part<S> {
+///         Ball(Sphere<S>),
+///         /// A typed tree is a leaf as well.
+///         Tube(Difference<Cylinder<S>, Cylinder<S>>),
+///     }
+/// }
+///
+/// let ball = Part::Ball(Sphere::<f32>::new(vec3(0.0, 0.0, 0.0), 1.0)?);
+/// # let _ = ball;
+/// # Ok::<(), scancsg::solid::SphereError>(())
+/// ```
+#[macro_export]
+macro_rules! leaves {
+    (
+        $(#[$about:meta])*
+        $visible:vis enum $Leaves:ident<$S:ident> {
+            $($(#[$of:meta])* $Kind:ident($Solid:ty)),+ $(,)?
+        }
+    ) => {
+        $(#[$about])*
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        $visible enum $Leaves<$S: $crate::scalar::Scalar> {
+            $($(#[$of])* #[allow(missing_docs)] $Kind($Solid),)+
+        }
+
+        const _: () = {
+            use $crate::geom::{Line, Vec3};
+            use $crate::scalar::{Number, Scalar};
+            use $crate::scan::{ColumnRun, Empty, Scan};
+            use $crate::solid::{Bounds, Rgb, Shape, Solid};
+            use $crate::span::walk::{Path, Step};
+            use $crate::span::{Face, SpanStack};
+
+            const fn most(counts: &[usize]) -> usize {
+                let (mut most, mut rest) = (0, counts);
+                while let [count, others @ ..] = rest {
+                    if *count > most {
+                        most = *count;
+                    }
+                    rest = others;
+                }
+                most
+            }
+
+            impl<$S: Scalar> Shape for $Leaves<$S> {
+                type Scalar = $S;
+                const SPANS: usize = most(&[$(<$Solid as Shape>::SPANS),+]);
+                const STACK: usize = most(&[$(<$Solid as Shape>::STACK),+]);
+                const FACES: u16 = most(&[$(<$Solid as Shape>::FACES as usize),+]) as u16;
+            }
+
+            impl<$S: Scalar> Solid for $Leaves<$S> {
+                fn spans(&self, line: &Line<$S>, first: Face, stack: &mut SpanStack<'_, $S>) {
+                    match self {
+                        $(Self::$Kind(solid) => solid.spans(line, first, stack),)+
+                    }
+                }
+
+                fn normal(&self, face: Face, at: Vec3<$S>) -> Vec3<$S> {
+                    match self {
+                        $(Self::$Kind(solid) => solid.normal(face, at),)+
+                    }
+                }
+
+                fn bounds(&self) -> Bounds<$S> {
+                    match self {
+                        $(Self::$Kind(solid) => solid.bounds(),)+
+                    }
+                }
+
+                fn onto(&self, face: Face, near: Vec3<$S>) -> Vec3<$S> {
+                    match self {
+                        $(Self::$Kind(solid) => solid.onto(face, near),)+
+                    }
+                }
+
+                #[inline]
+                fn cosine(
+                    &self,
+                    face: Face,
+                    at: impl FnOnce() -> Vec3<$S>,
+                    to: Vec3<$S>,
+                ) -> $S {
+                    match self {
+                        $(Self::$Kind(solid) => solid.cosine(face, at, to),)+
+                    }
+                }
+
+                fn color(&self, face: Face) -> Option<Rgb> {
+                    match self {
+                        $(Self::$Kind(solid) => solid.color(face),)+
+                    }
+                }
+            }
+
+            /// Where all of them have a form as bytes. The lifetime keeps solids without a parameter from
+            /// being looked at here.
+            impl<$S: Scalar> $crate::program::Coded for $Leaves<$S>
+            where
+                $(for<'any> $Solid: $crate::program::Coded,)+
+            {
+                fn has_kind(kind: u8) -> bool {
+                    [$(<$Solid as $crate::program::Coded>::has_kind(kind)),+].contains(&true)
+                }
+
+                fn kind(&self) -> u8 {
+                    match self {
+                        $(Self::$Kind(solid) => $crate::program::Coded::kind(solid),)+
+                    }
+                }
+
+                fn write(
+                    &self,
+                    to: &mut $crate::program::Writer<'_>,
+                ) -> Result<(), $crate::program::BytesError> {
+                    match self {
+                        $(Self::$Kind(solid) => $crate::program::Coded::write(solid, to),)+
+                    }
+                }
+
+                fn read(
+                    kind: u8,
+                    from: &mut $crate::program::Reader<'_>,
+                ) -> Result<Self, $crate::program::BytesError> {
+                    $(if <$Solid as $crate::program::Coded>::has_kind(kind) {
+                        return $crate::program::Coded::read(kind, from).map(Self::$Kind);
+                    })+
+                    Err($crate::program::BytesError::Kind)
+                }
+            }
+
+            /// A stage of one of the solids.
+            #[derive(Debug, Clone, Copy)]
+            pub enum Stage<$($Kind),+> {
+                Unset,
+                $($Kind($Kind),)+
+            }
+
+            impl<$($Kind),+> Empty for Stage<$($Kind),+> {
+                const EMPTY: Self = Self::Unset;
+            }
+
+            impl<$S, R> Scan<R> for $Leaves<$S>
+            where
+                $S: Scalar,
+                $($Solid: Scan<R, Scalar = $S>,)+
+            {
+                type View = Stage<$(<$Solid as Scan<R>>::View),+>;
+                type Row = Stage<$(<$Solid as Scan<R>>::Row),+>;
+
+                fn view(&self, rays: &R, view: &mut Self::View) {
+                    match self {
+                        $(Self::$Kind(solid) => {
+                            if !matches!(view, Stage::$Kind(_)) {
+                                *view = Stage::$Kind(Empty::EMPTY);
+                            }
+                            if let Stage::$Kind(view) = view {
+                                solid.view(rays, view);
+                            }
+                        })+
+                    }
+                }
+
+                fn is_in_rows(&self, view: &Self::View, rows: [i32; 2]) -> bool {
+                    match (self, view) {
+                        $((Self::$Kind(solid), Stage::$Kind(view)) => solid.is_in_rows(view, rows),)+
+                        _ => false,
+                    }
+                }
+
+                fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) {
+                    match (self, view) {
+                        $((Self::$Kind(solid), Stage::$Kind(view)) => {
+                            if !matches!(row, Stage::$Kind(_)) {
+                                *row = Stage::$Kind(Empty::EMPTY);
+                            }
+                            if let Stage::$Kind(row) = row {
+                                solid.row(view, y, columns, row);
+                            }
+                        })+
+                        _ => *row = Stage::Unset,
+                    }
+                }
+
+                fn enter(row: &mut Self::Row, column: u32) -> ColumnRun {
+                    match row {
+                        $(Stage::$Kind(row) => <$Solid as Scan<R>>::enter(row, column),)+
+                        Stage::Unset => ColumnRun::EMPTY,
+                    }
+                }
+
+                #[inline(always)]
+                fn contains<P: Path>(
+                    &self,
+                    view: &Self::View,
+                    row: &mut Self::Row,
+                    x: i32,
+                    t: $S,
+                ) -> bool {
+                    match (self, view, row) {
+                        $((Self::$Kind(solid), Stage::$Kind(view), Stage::$Kind(row)) => {
+                            solid.contains::<P>(view, row, x, t)
+                        })+
+                        _ => false,
+                    }
+                }
+
+                #[inline(always)]
+                fn step<P: Path>(
+                    &self,
+                    view: &Self::View,
+                    row: &mut Self::Row,
+                    x: i32,
+                    t: $S,
+                    first: Face,
+                ) -> Step<$S> {
+                    match (self, view, row) {
+                        $((Self::$Kind(solid), Stage::$Kind(view), Stage::$Kind(row)) => {
+                            solid.step::<P>(view, row, x, t, first)
+                        })+
+                        _ => Step::OUTSIDE,
+                    }
+                }
+            }
+        };
+    };
+}

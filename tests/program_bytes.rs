@@ -1,0 +1,237 @@
+//! Programs as bytes: what is written is read again, bit for bit; the document's example is read; and whatever
+//! else is read is an error or a program, never a panic.
+
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
+
+#[macro_use]
+extern crate testkit;
+
+use scancsg::geom::{Axis, Pose, Ray, Vec3, vec3};
+use scancsg::program::{BytesError, Program};
+use scancsg::render::{Gray8, Lambert, Orthographic, Picture, Size};
+use scancsg::solid::{Cone, Cuboid, Cylinder, HalfSpace, Polyhedron, Rgb, Sphere, Torus};
+use scancsg::span::SpanList;
+use testkit::number::{Tested, vector};
+use testkit::random::Random;
+
+for_every_number!(what_is_written_is_read, hostile_bytes_are_errors_or_programs);
+
+scancsg::leaves! {
+    /// All solids that have a form as bytes.
+    enum Part<S> {
+        Cylinder(Cylinder<S>),
+        Cuboid(Cuboid<S>),
+        Sphere(Sphere<S>),
+        Cone(Cone<S>),
+        Torus(Torus<S>),
+        Half(HalfSpace<S>),
+        Convex(Polyhedron<S, 6>),
+    }
+}
+
+type Small<S> = Program<Part<S>, 10, 3>;
+
+fn part<S: Tested>(random: &mut Random) -> Part<S> {
+    let mut number = |low, high| S::near(random.between(low, high));
+    let (low, size) = (number(-2.0, 1.0), number(0.1, 2.0));
+    let ends = [low, low.plus(size)];
+    let center = Vec3::new(number(-2.0, 2.0), number(-2.0, 2.0), number(-2.0, 2.0));
+    let way = Vec3::new(number(-2.0, 2.0), number(-2.0, 2.0), number(0.5, 2.0));
+    let radius = number(0.5, 2.0);
+    let axis = Axis::ALL[random.below(3)];
+    let middle = [center.x, center.y];
+    match random.below(10) {
+        0 => Part::Cylinder(Cylinder::along(axis, middle, radius, ends[0], ends[1]).unwrap()),
+        1 => Part::Cylinder(Cylinder::from_to(center, center + way, radius).unwrap()),
+        2 => Part::Cuboid(Cuboid::around(center, Vec3::new(size, radius, size)).unwrap()),
+        3 => Part::Sphere(Sphere::around(center, radius).unwrap()),
+        4 => {
+            let radii = if random.chance(0.5) { [S::ZERO, radius] } else { [radius, size] };
+            Part::Cone(Cone::along(axis, middle, radii, ends[0], ends[1]).unwrap())
+        }
+        5 => Part::Cone(Cone::from_to(center, center + way, [radius, size]).unwrap()),
+        6 => Part::Torus(Torus::around(center, way, radius, S::near(0.25)).unwrap()),
+        7 => Part::Half(HalfSpace::facing(way, low).unwrap()),
+        8 => {
+            let [x, y, z] = [S::ZERO, size, radius];
+            let triangle = [[x, x], [y, x], [x, z]];
+            Part::Convex(Polyhedron::extruded(axis, triangle, ends[0], ends[1]).unwrap())
+        }
+        _ => Part::Half(HalfSpace::above(axis, low).unwrap()),
+    }
+}
+
+fn program<S: Tested>(random: &mut Random) -> Small<S> {
+    let mut program = Small::new(part(random));
+    let shift = vector([random.between(-9.0, 9.0), 1.0, 2.0]);
+    let shift = Pose::translation(shift).unwrap();
+    let turn = Pose::about(vector(random.direction()), S::near(random.between(-3.0, 3.0)));
+    for pose in [shift, turn.unwrap().then(&shift).unwrap()] {
+        if random.chance(0.7) {
+            program.add_pose(pose).unwrap();
+        }
+    }
+    for _ in 0..random.below(10) {
+        program.push(part(random)).unwrap();
+        if random.chance(0.6) {
+            match random.below(3) {
+                0 => program.unite(2),
+                1 => program.intersect(2),
+                _ => program.subtract(1),
+            }
+            .unwrap();
+        }
+    }
+    for index in 0..program.part_count() {
+        if random.chance(0.4) {
+            program.paint(index, Some(Rgb::new(index as u8, 0xf0, 0xff))).unwrap();
+        }
+        if random.chance(0.4) {
+            // Not every program has a pose.
+            let _ = program.place(index, Some(0));
+        }
+    }
+    program
+}
+
+/// Every program is the same again, and has the same bytes again.
+fn what_is_written_is_read<S: Tested>() {
+    for seed in 0..300 {
+        let random = &mut Random::seeded(seed);
+        let program = program::<S>(random);
+        let (mut buffer, mut again) = ([0; 2000], [0; 2000]);
+        let bytes = program.to_bytes(&mut buffer).unwrap();
+        let read = Small::<S>::from_bytes(bytes).unwrap();
+        assert_eq!(read.to_bytes(&mut again).unwrap(), bytes);
+        // Behind the last part, an array may have what was there before.
+        let parts = |of: &Small<S>| -> Vec<Part<S>> {
+            (0..of.part_count()).map(|index| *of.part(index).unwrap()).collect()
+        };
+        assert_eq!(parts(&read), parts(&program));
+        assert_eq!(read.operand_count(), program.operand_count());
+        for length in 0..bytes.len() {
+            assert!(Small::<S>::from_bytes(&bytes[..length]).is_err());
+            assert_eq!(program.to_bytes(&mut again[..length]), Err(BytesError::Length));
+        }
+    }
+}
+
+/// A byte or two of a program are changed: what is read then, if anything is, can be pictured and traced.
+fn hostile_bytes_are_errors_or_programs<S: Tested>() {
+    let mut counts = [0; 2];
+    for seed in 0..1500 {
+        let random = &mut Random::seeded(seed);
+        let mut buffer = [0; 2000];
+        let length = program::<S>(random).to_bytes(&mut buffer).unwrap().len();
+        let bytes = &mut buffer[..length];
+        for _ in 0..1 + random.below(3) {
+            let at = random.below(length);
+            bytes[at] = match random.below(4) {
+                0 => bytes[at] ^ (1 << random.below(8)),
+                1 => 0xf0 + random.below(3) as u8,
+                2 => 0xff,
+                _ => random.below(256) as u8,
+            };
+        }
+        let Ok(read) = Small::<S>::from_bytes(bytes) else {
+            counts[0] += 1;
+            continue;
+        };
+        counts[1] += 1;
+        let mut again = [0; 2000];
+        // An axis that was written in full may be a coordinate axis now, which is shorter.
+        let written = read.to_bytes(&mut again).unwrap();
+        assert!(written.len() <= length);
+        let same = Small::<S>::from_bytes(written).unwrap();
+        let mut twice = [0; 2000];
+        assert_eq!(same.to_bytes(&mut twice).unwrap(), written);
+        let (along, up) = (vector([0.3, -0.2, -1.0]), vector([0.0, 1.0, 0.0]));
+        let camera = Orthographic::look_along(along, Vec3::ZERO, up, S::near(6.0)).unwrap();
+        let light = Lambert::new(vector::<S>([1.0, 2.0, 3.0]), S::near(0.25)).unwrap();
+        let size = Size::new(8, 6).unwrap();
+        let mut picture = Picture::new(&read, &camera, size, light, Gray8(0));
+        for y in 0..6 {
+            picture.scanline(y).unwrap().render(&mut [Gray8(0); 8]).unwrap();
+        }
+        let ray = Ray::new(vector(random.point(8.0)), along).unwrap();
+        let _ = read.hit(&ray, &mut SpanList::<S, 32>::new());
+    }
+    assert!(counts.iter().all(|count| *count > 100), "{counts:?}");
+}
+
+/// Bytes that are no program from the beginning.
+#[test]
+fn noise_is_an_error() {
+    let random = &mut Random::seeded(7);
+    for _ in 0..20_000 {
+        let length = random.below(60);
+        let mut bytes: Vec<u8> = (0..length).map(|_| random.below(256) as u8).collect();
+        if random.chance(0.9) && length >= 8 {
+            bytes[..8].copy_from_slice(&[b'S', b'P', 1, 32, length as u8, 0, 0, 0]);
+        }
+        assert!(Small::<f32>::from_bytes(&bytes).is_err());
+    }
+}
+
+/// The bytes in the document are what it says.
+#[test]
+fn the_documents_example_is_read() {
+    let text = include_str!("../docs/program.md");
+    let (_, example) = text.split_once("```text\n").unwrap();
+    let (example, _) = example.split_once("```").unwrap();
+    let is_byte = |word: &&str| word.len() == 2 && u8::from_str_radix(word, 16).is_ok();
+    let bytes: Vec<u8> = example
+        .lines()
+        .flat_map(|line| line.split_whitespace().take_while(is_byte))
+        .map(|byte| u8::from_str_radix(byte, 16).unwrap())
+        .collect();
+    let plate = Cuboid::<f32>::new(vec3(-2.0, -1.0, 0.0), vec3(2.0, 1.0, 0.5)).unwrap();
+    let mut wanted = Small::new(Part::Cuboid(plate));
+    let hole = Cylinder::<f32>::along_z(0.0, 0.0, 0.5, -1.0, 1.0).unwrap();
+    let hole = wanted.push(Part::Cylinder(hole)).unwrap();
+    wanted.paint(hole, Some(Rgb::new(255, 0, 0))).unwrap();
+    wanted.subtract(1).unwrap();
+    let mut buffer = [0; 100];
+    assert_eq!(wanted.to_bytes(&mut buffer).unwrap(), bytes);
+    let read = Small::<f32>::from_bytes(&bytes).unwrap();
+    assert_eq!(read.part_count(), 2);
+}
+
+/// Each thing that can be wrong, by its name.
+#[test]
+fn every_error_has_its_cause() {
+    let ball = Sphere::<f32>::new(vec3(0.0, 0.0, 0.0), 1.0).unwrap();
+    let mut program = Small::new(Part::Sphere(ball));
+    program.add_pose(Pose::<f32>::rotation_x(0.5).unwrap()).unwrap();
+    program.place(0, Some(0)).unwrap();
+    let mut buffer = [0; 100];
+    let good = program.to_bytes(&mut buffer).unwrap().to_vec();
+    let part = 8 + 1 + 12 * 4;
+    let read = |changes: &[(usize, u8)]| {
+        let mut bytes = good.clone();
+        changes.iter().for_each(|&(at, byte)| bytes[at] = byte);
+        Small::<f32>::from_bytes(&bytes).map(|_| ())
+    };
+    assert_eq!(read(&[]), Ok(()));
+    assert_eq!(read(&[(0, 0)]), Err(BytesError::Magic));
+    assert_eq!(read(&[(2, 2)]), Err(BytesError::Version));
+    assert_eq!(read(&[(3, 16)]), Err(BytesError::Number));
+    assert_eq!(read(&[(4, 1)]), Err(BytesError::Length));
+    assert_eq!(read(&[(6, 4)]), Err(BytesError::Tree));
+    assert_eq!(read(&[(7, 1)]), Err(BytesError::Tag));
+    assert_eq!(read(&[(8, 2)]), Err(BytesError::Tag));
+    assert_eq!(read(&[(9 + 3, 0x40)]), Err(BytesError::Pose), "an axis of length 2");
+    assert_eq!(read(&[(part, 0xf0)]), Err(BytesError::Tag), "nothing is there to unite");
+    assert_eq!(read(&[(part, 99)]), Err(BytesError::Kind));
+    assert_eq!(read(&[(part + 1, 4)]), Err(BytesError::Tag));
+    assert_eq!(read(&[(part + 2, 1)]), Err(BytesError::Pose), "there is one pose");
+    let radius = good.len() - 4;
+    assert_eq!(read(&[(radius + 3, 0xbf)]), Err(BytesError::Solid), "a radius of -1");
+    assert_eq!(read(&[(radius + 3, 0x7f), (radius + 2, 0xc0)]), Err(BytesError::Solid));
+    let mut long = good.clone();
+    long.push(0xf0);
+    long[4] += 1;
+    assert_eq!(Small::<f32>::from_bytes(&long).map(|_| ()), Err(BytesError::Tree));
+    let one = Program::<Part<f32>, 1>::from_bytes(&good);
+    assert_eq!(one.map(|_| ()), Err(BytesError::Tree), "it has room for no pose");
+}
