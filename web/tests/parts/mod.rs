@@ -15,11 +15,16 @@ use std::time::{Duration, Instant};
 
 pub const SIZE: [u16; 2] = [70, 40];
 
+/// Longer than any frame takes on a busy computer: one that is never complete would be repaired for ever.
+const DEADLINE: Duration = Duration::from_secs(60);
+
 const CAPACITY: usize = packet_capacity(SIZE[0], PixelFormat::Rgb888);
 
 /// A pixel whose colour on a canvas is known.
 pub trait Shown: WirePixel<Wire = Self> + Wire + 'static {
     const DARK: Self;
+    /// One that no surface has.
+    const ODD: Self;
     /// Its rows by prediction.
     type Short: RowCoding<Self>;
     fn color(self) -> [u8; 3];
@@ -30,6 +35,7 @@ const WIDTH: usize = SIZE[0] as usize;
 
 impl Shown for Gray8 {
     const DARK: Self = Self(0);
+    const ODD: Self = Self(77);
     type Short = Predictive<Self, WIDTH>;
     fn color(self) -> [u8; 3] {
         [self.0; 3]
@@ -41,6 +47,7 @@ impl Shown for Gray8 {
 
 impl Shown for Rgb565 {
     const DARK: Self = Self(0);
+    const ODD: Self = Self(0x1F34);
     type Short = Predictive<Self, WIDTH>;
     fn color(self) -> [u8; 3] {
         let eight =
@@ -54,6 +61,7 @@ impl Shown for Rgb565 {
 
 impl Shown for Rgb888 {
     const DARK: Self = Self([0; 3]);
+    const ODD: Self = Self([18, 200, 77]);
     type Short = Predictive<Self, WIDTH>;
     fn color(self) -> [u8; 3] {
         self.0
@@ -65,6 +73,7 @@ impl Shown for Rgb888 {
 
 impl Shown for Mono {
     const DARK: Self = Self(false);
+    const ODD: Self = Self(true);
     type Short = PredictiveMono<{ WIDTH.div_ceil(8) }>;
     fn color(self) -> [u8; 3] {
         [if self.0 { 255 } else { 0 }; 3]
@@ -75,7 +84,7 @@ impl Shown for Mono {
 }
 
 /// The rows of a frame, and the colours of what is seen: a ball with a bore, from a little to the right in
-/// each frame.
+/// each frame, and an odd pixel in each row.
 pub fn rows<P: Shown>(frame: u16) -> (Vec<Vec<P>>, Palette) {
     let ball =
         Painted::new(Sphere::<f32>::new(vec3(0.0, 0.0, 0.0), 1.0).unwrap(), Rgb::new(230, 90, 60));
@@ -89,6 +98,7 @@ pub fn rows<P: Shown>(frame: u16) -> (Vec<Vec<P>>, Palette) {
     let mut row = vec![P::DARK; SIZE[0].into()];
     let rows = (0..SIZE[1]).map(|y| {
         picture.render(y, &mut row).unwrap();
+        row[usize::from(y) * 7 % WIDTH] = P::ODD;
         row.clone()
     });
     let rows = rows.collect();
@@ -133,6 +143,7 @@ fn send_with<P: Shown, C: RowCoding<P>>(
     let start = Instant::now();
     let now = || start.elapsed().as_millis() as u32;
     loop {
+        assert!(start.elapsed() < DEADLINE, "frame {frame} is not understood");
         let wait = match sender.poll(now()) {
             Task::Send(packet) => {
                 write(packet);
