@@ -146,7 +146,7 @@ mod tests {
     impl Chained<f32> for Nested {
         fn link(&self, leaf: u16) -> Option<Link> {
             let [even, odd] = [Link::IN, Link::OUT];
-            let (own, other) = if leaf % 2 == 0 { (even, odd) } else { (odd, even) };
+            let (own, other) = if leaf.is_multiple_of(2) { (even, odd) } else { (odd, even) };
             let next = leaf.saturating_add(1);
             let inside = if next < self.count { next } else { own };
             (leaf < self.count).then_some(Link { inside, outside: other })
