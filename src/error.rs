@@ -9,6 +9,7 @@ macro_rules! error_text {
         $(#[$about])*
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[non_exhaustive]
         pub enum $Error {
             $($(#[$when])* $Variant,)+
@@ -54,9 +55,24 @@ pub(crate) use error_text;
 /// const SHAFT: Cylinder<f32> = constant!(Cylinder::<f32>::along_x(0.0, 0.0, -0.5, -1.0, 1.0));
 /// # let _ = SHAFT;
 /// ```
+///
+/// Several expressions become an array:
+///
+/// ```
+/// use scancsg::{constant, geom::Axis, solid::Cylinder};
+///
+/// const STEPS: [Cylinder<f32>; 2] = constant![
+///     Cylinder::<f32>::spanning(Axis::X, -1.0..0.0, [0.0, 0.0], 0.5),
+///     Cylinder::<f32>::spanning(Axis::X, 0.0..1.0, [0.0, 0.0], 0.3),
+/// ];
+/// # let _ = STEPS;
+/// ```
 #[macro_export]
 macro_rules! constant {
-    ($result:expr) => {
+    ($result:expr, $($more:expr),+ $(,)?) => {
+        [$crate::constant!($result), $($crate::constant!($more)),+]
+    };
+    ($result:expr $(,)?) => {
         const {
             match $result {
                 Ok(value) => value,

@@ -16,6 +16,8 @@
 //! | choose a number type: `f32`, fixed point, `f64` on hosts | [`scalar`] |
 //! | read lists of spans, or walk a boolean tree of your own | [`span`] |
 //! | see how a picture scans a solid, or bound one | [`scan`] |
+//! | draw on other crates' displays, use their vectors | [`interop`] |
+//! | hand up errors of all kinds with `?` | [`Error`] |
 //! | put a part into flash, and check it while compiling | [`constant!`] |
 //!
 //! ```
@@ -71,6 +73,7 @@ extern crate std;
 mod error;
 pub mod geom;
 pub mod inspect;
+pub mod interop;
 mod numeric;
 mod primitive;
 pub mod program;
@@ -85,6 +88,7 @@ pub mod spline;
 pub mod stream;
 
 pub(crate) use error::error_text;
+pub use interop::Error;
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

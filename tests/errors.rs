@@ -3,6 +3,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+use embedded_io::ErrorKind;
 use scancsg::constant;
 use scancsg::geom::{Ray, RayError, Vec3, vec3};
 use scancsg::program::{BytesError, LineError, ProgramError};
@@ -14,6 +15,7 @@ use scancsg::solid::{
     RayCast, Rgb, Shape, Slab, SlabError, Sphere, SphereError, Union,
 };
 use scancsg::span::SpanList;
+use scancsg::stream::{EncodeError, PacketError, ReceiveError, ServeError, UnpackError};
 use std::collections::HashSet;
 
 #[test]
@@ -159,6 +161,62 @@ fn every_error_has_a_text_of_its_own() {
     let texts: HashSet<String> = errors.iter().map(ToString::to_string).collect();
     assert_eq!(texts.len(), errors.len(), "{texts:?}");
     assert!(texts.iter().all(|text| text.len() > 20 && !text.ends_with('.')), "{texts:?}");
+}
+
+/// Those of the link: other ends show some of them to people, so the words of each kind tell them apart.
+#[test]
+fn every_error_of_the_link_has_a_text_of_its_own() {
+    fn check<E: std::error::Error + Copy>(errors: &[E]) {
+        let texts: HashSet<String> = errors.iter().map(ToString::to_string).collect();
+        assert_eq!(texts.len(), errors.len(), "{texts:?}");
+        assert!(texts.iter().all(|text| text.len() > 15 && !text.ends_with('.')), "{texts:?}");
+        assert!(size_of::<E>() <= 2, "{}", size_of::<E>());
+    }
+    check(&[
+        EncodeError::BufferTooSmall,
+        EncodeError::Size,
+        EncodeError::NoFrame,
+        EncodeError::Format,
+        EncodeError::Width,
+        EncodeError::Order,
+    ]);
+    check(&[
+        PacketError::Framing,
+        PacketError::TooLong,
+        PacketError::Crc,
+        PacketError::Kind,
+        PacketError::Length,
+        PacketError::Version,
+        PacketError::Format,
+        PacketError::Size,
+        PacketError::Encoding,
+        PacketError::Part,
+    ]);
+    let unpack = [
+        UnpackError::Truncated,
+        UnpackError::TooLong,
+        UnpackError::TooShort,
+        UnpackError::NoMemory,
+    ];
+    check(&unpack);
+    check(&[
+        ReceiveError::Size,
+        ReceiveError::TooLarge,
+        ReceiveError::UnknownFrame,
+        ReceiveError::Row,
+        ReceiveError::Payload(UnpackError::Truncated),
+    ]);
+    check(&[
+        ServeError::Write(ErrorKind::TimedOut),
+        ServeError::Read(ErrorKind::TimedOut),
+        ServeError::Closed,
+        ServeError::Encode(EncodeError::Width),
+        ServeError::Render(RowError::Length),
+    ]);
+    // What is inside another error says its own words.
+    for error in unpack {
+        assert_eq!(ReceiveError::Payload(error).as_str(), error.as_str());
+    }
 }
 
 /// Errors are handed up through firmware: small, and copied at will.

@@ -5,11 +5,12 @@
 use scancsg::geom::vec3;
 use scancsg::render::pixel::{self, scale};
 use scancsg::render::{
-    Blend, Gray8, Lambert, Perspective, Picture, Pixel, Rgb, Rgb565, RowError, RowSource, Size,
-    SmoothColumn, SmoothPicture, Smoothing,
+    Blend, Gray8, Lambert, Mono, Perspective, Picture, Pixel, Rgb, Rgb565, Rgb888, RowError,
+    RowSource, Size, SmoothColumn, SmoothPicture, Smoothing,
 };
 use scancsg::solid::{Painted, Sphere};
-use scancsg::stream::{PixelFormat, WirePixel};
+use scancsg::stream::{PixelFormat, RowHash, WirePixel};
+use testkit::link::{Bytes, crc32};
 
 /// `channel · level / 255` on the scale 0..=255: never halfway between two whole numbers,
 /// because 2·channel·level is even and 255 odd.
@@ -54,6 +55,20 @@ fn rgb565_rounds_every_channel_to_nearest() {
     }
 }
 
+#[test]
+fn rgb888_and_one_bit_round_to_nearest() {
+    for (channel, level) in (0..=255u8).flat_map(|c| (0..=255u8).map(move |l| (c, l))) {
+        let exact = lit(channel, level) as u8;
+        let of = |r, g, b| Rgb888::shaded(Rgb::new(r, g, b), level).0;
+        assert_eq!(of(channel, 0, 0), [exact, 0, 0], "red {channel} lit by {level}");
+        assert_eq!(of(0, channel, 0), [0, exact, 0], "green {channel} lit by {level}");
+        assert_eq!(of(0, 0, channel), [0, 0, exact], "blue {channel} lit by {level}");
+        // Lit is what is nearer to white than to black.
+        let is_lit = Mono::shaded(Rgb::new(channel, channel, channel), level).0;
+        assert_eq!(is_lit, 2 * u16::from(exact) > 255, "grey {channel} lit by {level}");
+    }
+}
+
 fn mean<P: Blend>(pixels: &[P]) -> P {
     let mut sum = P::EMPTY;
     pixels.iter().for_each(|pixel| pixel.add_to(&mut sum));
@@ -81,33 +96,78 @@ fn a_mean_rounds_every_channel_to_nearest() {
     assert_eq!(Gray8::mean(Gray8::EMPTY, 0), Gray8(0));
 }
 
-/// The lower byte first: 0x1234 on the wire is 34 12.
+/// A row's hash is that of its bytes, so it tells what they are.
+fn is_sent_as<P: Bytes>(row: &[P], bytes: &[u8]) {
+    assert_eq!(P::bytes(row), bytes);
+    let numbered = [&[7, 0], bytes].concat();
+    assert_eq!(RowHash::of(7, row), crc32(&numbered), "{row:?}");
+}
+
+/// The lower byte first: 0x1234 on the wire is 34 12. Red first, and the leftmost of eight bits highest.
 #[test]
 fn bytes_on_the_link_are_little_endian() {
-    assert_eq!(Rgb565(0x1234).to_le_bytes(), [0x34, 0x12]);
-    assert_eq!(Gray8(0x56).to_le_bytes(), [0x56]);
+    is_sent_as(&[Rgb565(0x1234)], &[0x34, 0x12]);
+    is_sent_as(&[Gray8(0x56)], &[0x56]);
+    is_sent_as(&[Rgb888([1, 2, 3])], &[1, 2, 3]);
+    is_sent_as(&[1, 0, 0, 0, 0, 0, 0, 1, 0, 1].map(|bit| Mono(bit == 1)), &[0x81, 0x40]);
 }
 
 #[test]
 fn formats_have_codes_and_sizes() {
-    for (format, code, bytes) in [(Gray8::FORMAT, 0, 1), (Rgb565::FORMAT, 1, 2)] {
-        assert_eq!((format.code(), format.bytes_per_pixel()), (code, bytes));
+    let formats = [
+        (PixelFormat::Gray8, 8),
+        (PixelFormat::Rgb565, 16),
+        (PixelFormat::Rgb888, 24),
+        (PixelFormat::Mono, 1),
+    ];
+    for (code, (format, bits)) in (0..).zip(formats) {
+        assert_eq!((format.code(), format.bits_per_pixel()), (code, bits));
         assert_eq!(PixelFormat::from_code(code), Some(format));
+        for width in [0_u16, 1, 7, 8, 9, 320, u16::MAX] {
+            let exact = (f64::from(width) * bits as f64 / 8.0).ceil();
+            assert_eq!(format.row_bytes(width) as f64, exact, "{format:?} {width}");
+        }
     }
-    assert!((2..=255).all(|code| PixelFormat::from_code(code).is_none()));
+    assert!((4..=255).all(|code| PixelFormat::from_code(code).is_none()));
 }
 
-/// A pixel that the library doesn't know, and that no link has a format for: 24 bits.
+/// A display's own pixel, which is one of the link's in another order of bytes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-struct Rgb888([u8; 3]);
+struct Panel([u8; 2]);
 
-impl Pixel for Rgb888 {
+impl Pixel for Panel {
+    fn shaded(color: Rgb, level: u8) -> Self {
+        Self(Rgb565::shaded(color, level).0.to_be_bytes())
+    }
+}
+
+impl WirePixel for Panel {
+    type Wire = Rgb565;
+
+    fn to_wire(self) -> Rgb565 {
+        Rgb565(u16::from_be_bytes(self.0))
+    }
+}
+
+#[test]
+fn a_pixel_of_ones_own_is_sent_as_one_of_the_links() {
+    for value in 0..=u16::MAX {
+        let (own, links) = ([Panel(value.to_be_bytes())], [Rgb565(value)]);
+        assert_eq!(RowHash::of(3, &own), RowHash::of(3, &links));
+    }
+}
+
+/// A pixel that the library doesn't know: 24 bits, as the library's own.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+struct Own([u8; 3]);
+
+impl Pixel for Own {
     fn shaded(color: Rgb, level: u8) -> Self {
         Self([color.r, color.g, color.b].map(|channel| scale(channel, level)))
     }
 }
 
-impl Blend for Rgb888 {
+impl Blend for Own {
     type Sum = [u16; 3];
     const EMPTY: [u16; 3] = [0; 3];
 
@@ -173,8 +233,13 @@ fn every_source_gives_the_same_rows_in_every_pixel() {
             )
         }};
     }
-    let black = Rgb888([0; 3]);
+    let black = Own([0; 3]);
     let (colours, greys, bits) = (both!(black), both!(Gray8(0)), both!(Rgb565(0)));
+    let the_librarys = both!(Rgb888([0; 3]));
+    assert_eq!(
+        the_librarys.concat(),
+        colours.concat().iter().map(|own| Rgb888(own.0)).collect::<Vec<_>>()
+    );
 
     let mut lit = 0;
     for ((colour888, grey), colour565) in colours.iter().zip(&greys).zip(&bits) {
@@ -185,8 +250,7 @@ fn every_source_gives_the_same_rows_in_every_pixel() {
             lit += 1;
             let expected = |level| (Gray8::shaded(colour, level), Rgb565::shaded(colour, level));
             let is_one = |level: &u8| {
-                Rgb888::shaded(colour, *level) == *colour888
-                    && expected(*level) == (*grey, *colour565)
+                Own::shaded(colour, *level) == *colour888 && expected(*level) == (*grey, *colour565)
             };
             assert!((0..=255).any(|level| is_one(&level)), "{colour888:?} {grey:?} {colour565:?}");
         }

@@ -3,16 +3,22 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use proptest::prelude::*;
-use scancsg::render::{Gray8, Rgb565};
+use scancsg::render::{Gray8, Mono, Palette, Rgb, Rgb565, Rgb888};
 use scancsg::stream::{
     CONTROL_CAPACITY, Decoder, EncodeError, Encoding, FrameHash, FrameHeader, Packet, PacketError,
     Part, PixelFormat, Request, RowHash, RowPayload, UnpackError, WirePixel, encode_ack,
-    encode_end, encode_header, encode_request, encode_row, packet_capacity,
+    encode_end, encode_header, encode_request, encode_row, packet_capacity, row_capacity,
 };
+use testkit::link::{Bytes, sealed, unpack};
 
 // All literal bytes were made with Python's zlib.crc32 and a COBS encoder written out by hand.
 const HEADER: &[u8] = &[
-    0x00, 0x08, 0x01, 0x01, 0x34, 0x12, 0x40, 0x01, 0xF0, 0x06, 0x01, 0xC8, 0x5E, 0x66, 0x0D, 0x00,
+    0x00, 0x08, 0x01, 0x02, 0x34, 0x12, 0x40, 0x01, 0xF0, 0x0D, 0x01, 0x02, 0x96, 0xA0, 0xAA, 0xC8,
+    0xAA, 0x50, 0xB3, 0x17, 0x11, 0x0F, 0x00,
+];
+const HEADER_BITS: &[u8] = &[
+    0x00, 0x04, 0x01, 0x02, 0x07, 0x02, 0x80, 0x02, 0x40, 0x02, 0x03, 0x05, 0xF1, 0x3D, 0xF2, 0x86,
+    0x00,
 ];
 const ROW_RAW: &[u8] = &[
     0x05, 0x02, 0x34, 0x12, 0x05, 0x01, 0x03, 0x34, 0x12, 0x06, 0xF8, 0xA2, 0x52, 0x89, 0x2B, 0x00,
@@ -20,17 +26,34 @@ const ROW_RAW: &[u8] = &[
 const ROW_PACKED: &[u8] = &[
     0x03, 0x02, 0x07, 0x06, 0x02, 0x01, 0x01, 0xFD, 0x80, 0x01, 0x05, 0x44, 0xEB, 0x84, 0x77, 0x00,
 ];
+const ROW_COLORS: &[u8] = &[
+    0x03, 0x02, 0x07, 0x0C, 0x02, 0x01, 0x01, 0xFE, 0x01, 0x02, 0x03, 0x25, 0x06, 0xF9, 0x2E, 0x00,
+];
+const ROW_BITS: &[u8] =
+    &[0x03, 0x02, 0x07, 0x03, 0x02, 0x01, 0x07, 0xA5, 0xC0, 0x83, 0x58, 0xC8, 0x68, 0x00];
 const END: &[u8] = &[0x03, 0x03, 0x07, 0x09, 0x60, 0x8B, 0x13, 0xC7, 0xB8, 0xE0, 0x28, 0x03, 0x00];
-const REQUEST_HEADER: &[u8] =
-    &[0x03, 0x81, 0x07, 0x01, 0x01, 0x01, 0x05, 0xCE, 0xBA, 0x0E, 0xD6, 0x00];
-const REQUEST_ROW: &[u8] =
-    &[0x03, 0x81, 0x07, 0x08, 0x01, 0x02, 0x01, 0xED, 0x82, 0xFD, 0x92, 0x00];
-const REQUEST_END: &[u8] =
-    &[0x03, 0x81, 0x07, 0x02, 0x02, 0x01, 0x05, 0xA0, 0x6E, 0x8A, 0xD5, 0x00];
-const ACK: &[u8] = &[0x03, 0x82, 0x07, 0x05, 0x3B, 0x80, 0xB1, 0x52, 0x00];
+const REQUEST_HEADER: &[u8] = &[
+    0x00, 0x03, 0x81, 0x07, 0x01, 0x01, 0x01, 0x01, 0x01, 0x01, 0x05, 0xBB, 0x09, 0xE2, 0x9D, 0x00,
+];
+const REQUEST_ROWS: &[u8] = &[
+    0x00, 0x03, 0x81, 0x07, 0x05, 0x01, 0x02, 0x01, 0x03, 0x06, 0x7F, 0xEF, 0x3C, 0x3E, 0x56, 0x00,
+];
+const REQUEST_END: &[u8] = &[
+    0x00, 0x03, 0x81, 0x07, 0x02, 0x02, 0x01, 0x01, 0x01, 0x01, 0x05, 0xB0, 0xA8, 0x2A, 0xD0, 0x00,
+];
+const ACK: &[u8] = &[0x00, 0x03, 0x82, 0x07, 0x05, 0x3B, 0x80, 0xB1, 0x52, 0x00];
 
-const A_HEADER: FrameHeader =
-    FrameHeader { frame: 0x1234, width: 320, height: 240, format: PixelFormat::Rgb565 };
+const SOME_ROWS: Part = Part::Rows { y: 258, count: 3, limit: 127 };
+
+fn a_header() -> FrameHeader {
+    let palette = [Rgb::new(150, 160, 170), Rgb::new(200, 170, 80)].into_iter().collect();
+    FrameHeader { frame: 0x1234, width: 320, height: 240, format: PixelFormat::Rgb565, palette }
+}
+
+fn a_header_of_bits() -> FrameHeader {
+    let (format, palette) = (PixelFormat::Mono, Palette::EMPTY);
+    FrameHeader { frame: 7, width: 128, height: 64, format, palette }
+}
 
 fn request(part: Part) -> Request {
     Request { frame: 7, part }
@@ -38,7 +61,7 @@ fn request(part: Part) -> Request {
 
 /// A buffer's part that an encoder filled.
 fn encoded(encode: impl FnOnce(&mut [u8]) -> Result<usize, EncodeError>) -> Vec<u8> {
-    let mut buffer = vec![0xAA; 140_000];
+    let mut buffer = vec![0xAA; 200_000];
     let len = encode(&mut buffer).unwrap();
     assert!(buffer[len..].iter().all(|&b| b == 0xAA), "written past the end");
     buffer.truncate(len);
@@ -56,63 +79,6 @@ fn decode_all<const N: usize>(mut bytes: &[u8]) -> Vec<String> {
     results
 }
 
-/// CRC-32/ISO-HDLC bit by bit, from its definition.
-fn plain_crc(bytes: &[u8]) -> u32 {
-    !bytes.iter().fold(!0_u32, |crc, &byte| {
-        (0..8).fold(crc ^ u32::from(byte), |crc, _| {
-            (crc >> 1) ^ (0xEDB8_8320 & (crc & 1).wrapping_neg())
-        })
-    })
-}
-
-/// COBS by its definition: cut at zeros, and after 254 bytes without one.
-fn plain_cobs(bytes: &[u8]) -> Vec<u8> {
-    let mut out = Vec::new();
-    let mut rest = bytes;
-    loop {
-        let zero = rest.iter().position(|&b| b == 0);
-        let len = zero.unwrap_or(rest.len()).min(254);
-        out.push(len as u8 + 1);
-        out.extend_from_slice(&rest[..len]);
-        if len == rest.len() {
-            break;
-        }
-        // A full block takes no zero with it.
-        rest = &rest[if len == 254 { 254 } else { len + 1 }..];
-    }
-    out
-}
-
-/// A framed packet with a right checksum around any contents.
-fn sealed(content: &[u8]) -> Vec<u8> {
-    let mut bytes = content.to_vec();
-    bytes.extend_from_slice(&plain_crc(content).to_le_bytes());
-    let mut framed = plain_cobs(&bytes);
-    framed.push(0);
-    framed
-}
-
-/// PackBits as in TIFF 6.0, section 9, with a pixel of `size` bytes as the unit.
-fn plain_unpack(packed: &[u8], size: usize) -> Vec<u8> {
-    let mut out = Vec::new();
-    let mut i = 0;
-    while i < packed.len() {
-        let n = packed[i] as i8;
-        i += 1;
-        if n >= 0 {
-            let len = (n as usize + 1) * size;
-            out.extend_from_slice(&packed[i..i + len]);
-            i += len;
-        } else if n != -128 {
-            for _ in 0..1 - i32::from(n) {
-                out.extend_from_slice(&packed[i..i + size]);
-            }
-            i += size;
-        }
-    }
-    out
-}
-
 #[test]
 fn golden_bytes() {
     let raw = [Rgb565(0x1234), Rgb565(0xF800)];
@@ -122,13 +88,18 @@ fn golden_bytes() {
     hash.add(RowHash::of(1, &[9, 9, 9, 9].map(Gray8)));
     assert_eq!(hash.value(), 0xC713_8B60);
 
-    assert_eq!(encoded(|b| encode_header(A_HEADER, b)), HEADER);
+    assert_eq!(encoded(|b| encode_header(a_header(), b)), HEADER);
+    assert_eq!(encoded(|b| encode_header(a_header_of_bits(), b)), HEADER_BITS);
     assert_eq!(encoded(|b| encode_row(0x1234, 5, &raw, b)), ROW_RAW);
     assert_eq!(encoded(|b| encode_row(7, 258, &packed, b)), ROW_PACKED);
+    let colors = [Rgb888([1, 2, 3]); 3];
+    assert_eq!(encoded(|b| encode_row(7, 258, &colors, b)), ROW_COLORS);
+    let bits = [1, 0, 1, 0, 0, 1, 0, 1, 1, 1].map(|bit| Mono(bit == 1));
+    assert_eq!(encoded(|b| encode_row(7, 258, &bits, b)), ROW_BITS);
     assert_eq!(encoded(|b| encode_end(7, hash, b)), END);
     let encode = |part| encoded(|b| encode_request(request(part), b));
     assert_eq!(encode(Part::Header), REQUEST_HEADER);
-    assert_eq!(encode(Part::Row(258)), REQUEST_ROW);
+    assert_eq!(encode(SOME_ROWS), REQUEST_ROWS);
     assert_eq!(encode(Part::End), REQUEST_END);
     assert_eq!(encoded(|b| encode_ack(7, b)), ACK);
 }
@@ -145,13 +116,16 @@ fn golden_bytes_are_read() {
         y,
         payload: RowPayload { encoding, bytes },
     };
-    check(HEADER, Packet::Header(A_HEADER));
+    check(HEADER, Packet::Header(a_header()));
+    check(HEADER_BITS, Packet::Header(a_header_of_bits()));
     check(ROW_RAW, row(0x1234, 5, Encoding::Raw, &[0x34, 0x12, 0x00, 0xF8]));
     check(ROW_PACKED, row(7, 258, Encoding::PackBits, &[0xFD, 0x80, 0, 0]));
+    check(ROW_COLORS, row(7, 258, Encoding::PackBits, &[0xFE, 1, 2, 3]));
+    check(ROW_BITS, row(7, 258, Encoding::Raw, &[0xA5, 0xC0]));
     let hash = FrameHash::from_value(0xC713_8B60);
     check(END, Packet::End { frame: 7, hash });
     check(REQUEST_HEADER, Packet::Request(request(Part::Header)));
-    check(REQUEST_ROW, Packet::Request(request(Part::Row(258))));
+    check(REQUEST_ROWS, Packet::Request(request(SOME_ROWS)));
     check(REQUEST_END, Packet::Request(request(Part::End)));
     check(ACK, Packet::Ack { frame: 7 });
 }
@@ -165,28 +139,43 @@ fn each_wrong_thing_has_its_error() {
             other => panic!("{bytes:02X?}: {other:?}"),
         }
     }
-    let header = [1, 1, 7, 0, 4, 0, 2, 0, 0];
+    let header = [1, 2, 7, 0, 4, 0, 2, 0, 0, 1, 9, 8, 7];
     let with = |i: usize, value: u8| {
         let mut content = header;
         content[i] = value;
         sealed(&content)
     };
-    assert_eq!(error(&with(1, 2)), PacketError::Version);
+    assert_eq!(error(&with(1, 3)), PacketError::Version);
     assert_eq!(error(&with(4, 0)), PacketError::Size);
     assert_eq!(error(&with(6, 0)), PacketError::Size);
-    assert_eq!(error(&with(8, 2)), PacketError::Format);
-    assert_eq!(error(&with(0, 4)), PacketError::Kind);
+    assert_eq!(error(&with(8, 4)), PacketError::Format);
+    assert_eq!(error(&with(0, 5)), PacketError::Kind);
+    // Colours are counted, and there are at most so many.
+    assert_eq!(error(&with(9, 0)), PacketError::Length);
+    assert_eq!(error(&with(9, 2)), PacketError::Length);
+    let colors = |count: u8| {
+        let colors = (0..count).flat_map(|i| [i, 0, 9]).collect::<Vec<_>>();
+        sealed(&[&header[..9], &[count], &colors].concat())
+    };
+    let most = Palette::CAPACITY as u8;
+    assert!(decode_all::<64>(&colors(most))[0].starts_with("Ok"));
+    let mut decoder = Decoder::<64>::new();
+    assert_eq!(decoder.feed(&mut &colors(most + 1)[..]), Some(Err(PacketError::Length)));
     // Another version may be of another length, and is still named as what it is.
-    assert_eq!(error(&sealed(&[1, 2])), PacketError::Version);
+    assert_eq!(error(&sealed(&[1, 3])), PacketError::Version);
+    assert_eq!(error(&sealed(&[1, 1, 7, 0, 4, 0, 2, 0, 0])), PacketError::Version);
     assert_eq!(error(&sealed(&[2, 7, 0, 0, 0, 2, 9])), PacketError::Encoding);
-    assert_eq!(error(&sealed(&[0x81, 7, 0, 3, 0, 0])), PacketError::Part);
+    assert_eq!(error(&sealed(&[0x81, 7, 0, 3, 0, 0, 0, 0, 0])), PacketError::Part);
+
+    assert_eq!(error(&sealed(&[4, 7, 0, 0, 0, 0, 9])), PacketError::Length);
 
     // Every kind, one byte short and (but for rows) one too long.
-    let whole: [&[u8]; 5] = [
+    let whole: [&[u8]; 6] = [
         &header,
         &[2, 7, 0, 0, 0, 0, 9],
         &[3, 7, 0, 1, 2, 3, 4],
-        &[0x81, 7, 0, 0, 0, 0],
+        &[4, 7, 0, 0, 0, 1],
+        &[0x81, 7, 0, 0, 0, 0, 0, 0, 0],
         &[0x82, 7, 0],
     ];
     for content in whole {
@@ -195,7 +184,7 @@ fn each_wrong_thing_has_its_error() {
         let short = sealed(&content[..content.len() - 1]);
         assert_eq!(error(&short), PacketError::Length, "{content:02X?}");
         let long = sealed(&[content, &[1]].concat());
-        if content[0] != 2 {
+        if !matches!(content[0], 2 | 4) {
             assert_eq!(error(&long), PacketError::Length, "{content:02X?}");
         }
     }
@@ -203,7 +192,7 @@ fn each_wrong_thing_has_its_error() {
     assert_eq!(error(&[1, 0]), PacketError::Length);
 
     let mut damaged = ACK.to_vec();
-    damaged[2] ^= 1;
+    damaged[3] ^= 1;
     assert_eq!(error(&damaged), PacketError::Crc);
     assert_eq!(error(&[0x03, 0x82, 0x00]), PacketError::Framing);
     // A right packet of 33 bytes for a decoder of 32, and of 32.
@@ -215,7 +204,7 @@ fn each_wrong_thing_has_its_error() {
 #[test]
 fn encoders_refuse_what_they_must_and_prefer_raw() {
     let mut buffer = [0; 256];
-    let flat = |width, height| FrameHeader { width, height, ..A_HEADER };
+    let flat = |width, height| FrameHeader { width, height, ..a_header() };
     assert_eq!(encode_header(flat(0, 1), &mut buffer), Err(EncodeError::Size));
     assert_eq!(encode_header(flat(1, 0), &mut buffer), Err(EncodeError::Size));
     let none: [Gray8; 0] = [];
@@ -240,7 +229,7 @@ fn buffers_are_used_to_the_last_byte() {
         assert_eq!(encode(&mut exact), Ok(expected.len()));
         assert_eq!(exact, expected);
     }
-    check(HEADER, |b| encode_header(A_HEADER, b));
+    check(HEADER, |b| encode_header(a_header(), b));
     check(ACK, |b| encode_ack(7, b));
     check(REQUEST_END, |b| encode_request(request(Part::End), b));
     // Across the ends of COBS blocks, where a full block of 254 comes last or not.
@@ -256,10 +245,11 @@ fn buffers_are_used_to_the_last_byte() {
 /// COBS block is full.
 #[test]
 fn capacity_is_the_worst_case() {
-    fn check<P: WirePixel>(width: u16, pixel: impl Fn(u16) -> P) {
+    fn check<P: WirePixel>(width: u16, format: PixelFormat, pixel: impl Fn(u16) -> P) {
         let row: Vec<P> = (0..width).map(pixel).collect();
-        let capacity = packet_capacity(width, P::FORMAT);
-        let raw = usize::from(width) * P::FORMAT.bytes_per_pixel();
+        let capacity = row_capacity(width, format);
+        let raw = (usize::from(width) * format.bits_per_pixel()).div_ceil(8);
+        assert_eq!(format.row_bytes(width), raw);
         let mut longest = 0;
         for salt in 1..=4 {
             let frame = u16::from_le_bytes([salt, salt]);
@@ -268,15 +258,25 @@ fn capacity_is_the_worst_case() {
         let bound = 11 + raw + (raw + 10).div_ceil(254);
         assert!(longest <= bound, "{width}: {longest} > {bound}");
         assert_eq!(capacity, bound.max(CONTROL_CAPACITY), "{width}");
+        // A packet of several rows is one COBS block at most.
+        assert_eq!(packet_capacity(width, format), capacity.max(256), "{width}");
         // The encoding byte of a raw row is a zero, which splits a block, so that sometimes the bound
         // is missed by one.
         assert!(longest + 1 >= bound, "{width}: {longest} < {bound}");
     }
     for width in [1, 2, 3, 7, 120, 121, 122, 123, 243, 244, 245, 300, 509, 65_535] {
-        check(width, |x| Gray8(1 + (x % 255) as u8));
-        check(width, |x| Rgb565(0x0101 + (x % 255) * 0x0100));
+        check(width, PixelFormat::Gray8, |x| Gray8(1 + (x % 255) as u8));
+        check(width, PixelFormat::Rgb565, |x| Rgb565(0x0101 + (x % 255) * 0x0100));
+        // Seven bits of a number, and a one, so that no byte is zero or like the one beside it.
+        check(width, PixelFormat::Mono, |x| {
+            Mono(x % 8 == 0 || (x / 8 % 127 + 1) >> (x % 8 - 1) & 1 == 1)
+        });
+        check(width, PixelFormat::Rgb888, |x| Rgb888([1 + (x % 255) as u8, 7, 9]));
     }
-    assert_eq!(HEADER.len(), CONTROL_CAPACITY);
+    // The longest control packet is a header with all its colours.
+    let palette: Palette = (0..9).map(|i| Rgb::new(i, i, 255)).collect();
+    let header = FrameHeader { palette, ..a_header() };
+    assert_eq!(encoded(|b| encode_header(header, b)).len(), CONTROL_CAPACITY);
 }
 
 #[test]
@@ -287,7 +287,7 @@ fn worked_example_of_tn1023() {
         0xAA, 0xAA, 0xAA, 0x80, 0x00, 0x2A, 0xAA, 0xAA, 0xAA, 0xAA, 0x80, 0x00, 0x2A, 0x22, 0xAA,
         0xAA, 0xAA, 0xAA, 0xAA, 0xAA, 0xAA, 0xAA, 0xAA, 0xAA,
     ];
-    assert_eq!(plain_unpack(&packed, 1), unpacked);
+    assert_eq!(unpack(&packed, 1), unpacked);
     let mut row = [0; 24];
     assert_eq!(payload(&packed).unpack(PixelFormat::Gray8, &mut row), Ok(()));
     assert_eq!(row, unpacked);
@@ -326,11 +326,24 @@ fn bad_payloads_are_errors_and_write_nothing() {
     assert_eq!(row, [5, 5]);
 }
 
+const PACKETS: [&[u8]; 11] = [
+    HEADER,
+    HEADER_BITS,
+    ROW_RAW,
+    ROW_PACKED,
+    ROW_COLORS,
+    ROW_BITS,
+    END,
+    REQUEST_HEADER,
+    REQUEST_ROWS,
+    REQUEST_END,
+    ACK,
+];
+
 /// A packet with one bit flipped is refused or says what it said before; a packet cut short is refused.
 #[test]
 fn single_bit_flips_never_change_a_packet() {
-    for packet in [HEADER, ROW_RAW, ROW_PACKED, END, REQUEST_HEADER, REQUEST_ROW, REQUEST_END, ACK]
-    {
+    for packet in PACKETS {
         let good = decode_all::<64>(packet);
         assert_eq!(good.len(), 1);
         for bit in 0..packet.len() * 8 {
@@ -382,10 +395,15 @@ fn rows() -> impl Strategy<Value = Vec<u8>> {
     prop_oneof![noise, runs]
 }
 
-fn check_row<P: WirePixel>(pixels: &[P]) -> Result<(), TestCaseError> {
-    let bytes: Vec<u8> = pixels.iter().flat_map(|p| p.to_le_bytes().as_ref().to_vec()).collect();
+/// The bytes of a pixel, or of eight pixels of one bit.
+fn unit_bytes(format: PixelFormat) -> usize {
+    format.bits_per_pixel().div_ceil(8)
+}
+
+fn check_row<P: Bytes>(format: PixelFormat, pixels: &[P]) -> Result<(), TestCaseError> {
+    let bytes = P::bytes(pixels);
     let packet = encoded(|b| encode_row(3, 9, pixels, b));
-    prop_assert!(packet.len() <= packet_capacity(pixels.len() as u16, P::FORMAT));
+    prop_assert!(packet.len() <= row_capacity(pixels.len() as u16, format));
     let mut decoder = Decoder::<8192>::new();
     let Some(Ok(Packet::Row { frame, y, payload })) = decoder.feed(&mut &packet[..]) else {
         return Err(TestCaseError::fail("no row"));
@@ -395,8 +413,8 @@ fn check_row<P: WirePixel>(pixels: &[P]) -> Result<(), TestCaseError> {
     match payload.encoding {
         Encoding::Raw => prop_assert_eq!(payload.bytes, &bytes),
         Encoding::PackBits => {
-            let size = P::FORMAT.bytes_per_pixel();
-            prop_assert_eq!(&plain_unpack(payload.bytes, size), &bytes);
+            let size = unit_bytes(format);
+            prop_assert_eq!(&unpack(payload.bytes, size), &bytes);
         }
         other => return Err(TestCaseError::fail(format!("{other:?}"))),
     }
@@ -405,7 +423,7 @@ fn check_row<P: WirePixel>(pixels: &[P]) -> Result<(), TestCaseError> {
     content.extend_from_slice(payload.bytes);
     prop_assert_eq!(sealed(&content), packet);
     let mut row = vec![0; bytes.len()];
-    prop_assert_eq!(payload.unpack(P::FORMAT, &mut row), Ok(()));
+    prop_assert_eq!(payload.unpack(format, &mut row), Ok(()));
     prop_assert_eq!(row, bytes);
     Ok(())
 }
@@ -415,8 +433,12 @@ proptest! {
     fn rows_round_trip(values in rows()) {
         let gray: Vec<_> = values.iter().copied().map(Gray8).collect();
         let rgb: Vec<_> = values.iter().map(|&v| Rgb565(u16::from(v) * 0x0101)).collect();
-        check_row(&gray)?;
-        check_row(&rgb)?;
+        let colors: Vec<_> = values.iter().map(|&v| Rgb888([v, v / 2, 9])).collect();
+        let bits: Vec<_> = values.iter().map(|&v| Mono(v >= 3 || v == 1)).collect();
+        check_row(PixelFormat::Gray8, &gray)?;
+        check_row(PixelFormat::Rgb565, &rgb)?;
+        check_row(PixelFormat::Rgb888, &colors)?;
+        check_row(PixelFormat::Mono, &bits)?;
     }
 
     /// After any bytes and a zero, a good packet is found, and it is the last thing found.
@@ -440,7 +462,9 @@ proptest! {
     /// Anything with a right checksum: the parser behind it does not panic either.
     #[test]
     fn sealed_garbage_is_parsed_or_refused(
-        kind in prop_oneof![Just(1_u8), Just(2), Just(3), Just(0x81), Just(0x82), any::<u8>()],
+        kind in prop_oneof![
+            Just(1_u8), Just(2), Just(3), Just(4), Just(0x81), Just(0x82), any::<u8>()
+        ],
         body in proptest::collection::vec(prop_oneof![any::<u8>(), 0..3_u8], 0..40),
     ) {
         let content = [&[kind][..], &body].concat();
@@ -458,23 +482,23 @@ proptest! {
     fn any_payload_is_unpacked_or_refused(
         bytes in proptest::collection::vec(prop_oneof![any::<u8>(), 0..4_u8, 0xFC..=0xFF_u8], 0..40),
         len in 0..300_usize,
-        rgb in any::<bool>(),
+        code in 0..4_u8,
     ) {
-        let format = if rgb { PixelFormat::Rgb565 } else { PixelFormat::Gray8 };
+        let format = PixelFormat::from_code(code).unwrap();
         let mut row = vec![0xAA; len];
         match payload(&bytes).unpack(format, &mut row) {
-            Ok(()) => prop_assert_eq!(row, plain_unpack(&bytes, format.bytes_per_pixel())),
+            Ok(()) => prop_assert_eq!(row, unpack(&bytes, unit_bytes(format))),
             Err(UnpackError::Truncated) => prop_assert!(row.iter().all(|&b| b == 0xAA)),
             Err(error) => {
                 prop_assert!(row.iter().all(|&b| b == 0xAA));
-                let right = plain_unpack(&bytes, format.bytes_per_pixel()).len();
+                let right = unpack(&bytes, unit_bytes(format)).len();
                 let expected = if right > len { UnpackError::TooLong } else { UnpackError::TooShort };
                 prop_assert!(right != len);
                 prop_assert_eq!(error, expected);
                 // With the right length it is the row.
                 let mut row = vec![0; right];
                 prop_assert_eq!(payload(&bytes).unpack(format, &mut row), Ok(()));
-                prop_assert_eq!(row, plain_unpack(&bytes, format.bytes_per_pixel()));
+                prop_assert_eq!(row, unpack(&bytes, unit_bytes(format)));
             }
         }
     }

@@ -3,10 +3,13 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use embedded_io::{ErrorKind, ErrorType, Read, ReadReady, Write};
+use scancsg::render::Palette;
 use scancsg::render::{Gray8, RowError, RowSource, Size};
+use scancsg::stream::Clock;
 use scancsg::stream::{
-    CONTROL_CAPACITY, Decoder, Delivery, EncodeError, FrameHeader, Part, Patience, PixelFormat,
-    Receiver, Request, SendError, Sender, encode_ack, encode_request, packet_capacity, serve,
+    CONTROL_CAPACITY, Delivery, EncodeError, Event, FrameHeader, Looks, Memory, Part, Patience,
+    PixelFormat, Plain, Receiver, Request, Sender, ServeError, Task, Timing, encode_ack,
+    encode_request, packet_capacity, receive, row_capacity, serve,
 };
 use std::collections::VecDeque;
 
@@ -14,7 +17,8 @@ const WIDTH: u16 = 6;
 const HEIGHT: u16 = 5;
 const FRAME: u16 = 7;
 const CAPACITY: usize = packet_capacity(WIDTH, PixelFormat::Gray8);
-const PATIENCE: Patience = Patience { looks: 4, silences: 3 };
+const PATIENCE: Patience = Patience { ticks: 4, silences: 3 };
+const TIMING: Timing = Timing { ask: 50, give_up: 1000 };
 
 /// Rows that are different from each other. It counts how many were rendered.
 struct Scene {
@@ -61,9 +65,9 @@ struct Line<F> {
     incoming: VecDeque<u8>,
     /// What the other end answers to these bytes.
     answer: F,
-    looks: u32,
     room: usize,
     is_closed: bool,
+    is_broken: bool,
 }
 
 impl<F: FnMut(&[u8]) -> Vec<u8>> Line<F> {
@@ -73,9 +77,9 @@ impl<F: FnMut(&[u8]) -> Vec<u8>> Line<F> {
             sent: Vec::new(),
             incoming: VecDeque::new(),
             answer,
-            looks: 0,
             room: usize::MAX,
             is_closed: false,
+            is_broken: false,
         }
     }
 }
@@ -100,7 +104,9 @@ impl<F: FnMut(&[u8]) -> Vec<u8>> Write for Line<F> {
 
 impl<F> ReadReady for Line<F> {
     fn read_ready(&mut self) -> Result<bool, ErrorKind> {
-        self.looks += u32::from(self.incoming.is_empty());
+        if self.is_broken {
+            return Err(ErrorKind::NotConnected);
+        }
         Ok(self.is_closed || !self.incoming.is_empty())
     }
 }
@@ -123,59 +129,100 @@ fn ack(frame: u16) -> Vec<u8> {
     packet[..len].to_vec()
 }
 
-/// The frame as a sender alone sends it, and its end once more.
-fn plain() -> (Vec<u8>, Vec<u8>) {
-    let mut bytes = Vec::new();
-    let mut sender = Sender::<_, CAPACITY>::new(&mut bytes);
-    let format = PixelFormat::Gray8;
-    sender.begin(FrameHeader { frame: FRAME, width: WIDTH, height: HEIGHT, format }).unwrap();
-    (0..HEIGHT).for_each(|y| sender.row(y, &row(y)).unwrap());
-    sender.end().unwrap();
-    let before = sender.bytes_sent() as usize;
-    sender.end_again().unwrap();
-    let end = bytes.split_off(before);
-    (bytes, end)
+fn rows(y: u16, count: u16) -> Part {
+    Part::Rows { y, count, limit: 127 }
 }
 
-type Served<F> = (Result<Delivery, SendError<ErrorKind>>, Line<F>, Scene);
+fn header() -> FrameHeader {
+    let (format, palette) = (PixelFormat::Gray8, Palette::EMPTY);
+    FrameHeader { frame: FRAME, width: WIDTH, height: HEIGHT, format, palette }
+}
+
+/// The packets of a frame, as a sender alone sends them.
+fn packets() -> Vec<Vec<u8>> {
+    let mut packets = Vec::new();
+    let mut sender = Sender::<_, CAPACITY>::new(Plain, PATIENCE);
+    sender.begin(header()).unwrap();
+    loop {
+        match sender.poll(0) {
+            Task::Send(packet) => {
+                packets.push(packet.to_vec());
+                sender.sent(0);
+            }
+            Task::Row(y) => sender.row(y, &row(y)).unwrap(),
+            Task::Listen(_) | Task::Done(_) => return packets,
+        }
+    }
+}
+
+struct Served<F> {
+    delivery: Result<Delivery, ServeError<ErrorKind>>,
+    line: Line<F>,
+    scene: Scene,
+    looks: u32,
+}
+
+fn served_with<F: FnMut(&[u8]) -> Vec<u8>>(patience: Patience, answer: F) -> Served<F> {
+    let mut scene = Scene::new();
+    let mut sender = Sender::<_, CAPACITY>::new(Plain, patience);
+    let mut line = Line::new(answer);
+    let mut pixels = [Gray8(0); WIDTH as usize];
+    let mut clock = Looks::new();
+    let delivery = serve(&mut scene, FRAME, &mut sender, &mut line, &mut pixels, &mut clock);
+    // Whatever happened, nothing waits in the device.
+    assert!(line.buffered.is_empty());
+    Served { delivery, line, scene, looks: clock.now() }
+}
 
 fn served<F: FnMut(&[u8]) -> Vec<u8>>(answer: F) -> Served<F> {
-    let mut scene = Scene::new();
-    let mut sender = Sender::<_, CAPACITY>::new(Line::new(answer));
-    let delivery = serve(&mut scene, FRAME, &mut sender, &mut [Gray8(0); WIDTH as usize], PATIENCE);
-    (delivery, sender.into_inner(), scene)
+    served_with(PATIENCE, answer)
 }
 
 #[test]
 fn a_frame_that_arrives_is_sent_once() {
-    let (delivery, line, scene) = served(|_| ack(FRAME));
-    assert_eq!(delivery, Ok(Delivery::Acknowledged { repairs: 0 }));
-    assert_eq!(line.sent, plain().0);
-    assert_eq!(scene.rendered, usize::from(HEIGHT));
-    assert_eq!(line.looks, 0);
+    let served = served(|_| ack(FRAME));
+    assert_eq!(served.delivery, Ok(Delivery::Acknowledged { repairs: 0 }));
+    assert_eq!(served.line.sent, packets().concat());
+    assert_eq!(served.scene.rendered, usize::from(HEIGHT));
+    assert_eq!(served.looks, 0);
 }
 
+/// Everything that is asked for is sent, and flushed before the device listens: a part that is asked for
+/// comes without a look in between.
 #[test]
 fn every_part_is_sent_again_that_is_asked_for() {
-    // The other end answers once to the frame, and acknowledges when all it asked for has come: each
-    // part is as it was the first time.
-    let (frame, end) = plain();
-    let zeros: Vec<usize> = (0..frame.len()).filter(|at| frame[*at] == 0).collect();
-    let header = frame[..=zeros[1]].to_vec();
-    let third = frame[zeros[3] + 1..=zeros[4]].to_vec();
+    let packets = packets();
+    let (header, third, end) = (&packets[0], &packets[3], packets.last().unwrap());
+    // The other end asks for one thing after the other, and acknowledges when all has come: each part is
+    // as it was the first time, and the end is behind each.
+    let parts = [Part::Header, rows(2, 1), Part::End, rows(2, 1), rows(1, 4)];
+    let mut asked = parts.into_iter();
+    let served = served(|_| asked.next().map_or_else(|| ack(FRAME), |part| request(FRAME, part)));
+    assert_eq!(served.delivery, Ok(Delivery::Acknowledged { repairs: 5 }));
+    let repairs = [header, end, third, end, end, third, end].map(Clone::clone).concat();
+    let range = packets[2..].concat();
+    assert_eq!(served.line.sent, [packets.concat(), repairs, range].concat());
+    // A row that is wanted twice running is rendered once.
+    assert_eq!(served.scene.rendered, usize::from(HEIGHT) + 1 + 4);
+    assert_eq!(served.looks, 0);
+
+    // All at once, and rows in whatever order.
     let mut asked = false;
-    let (delivery, line, scene) = served(|_| {
-        let first = !std::mem::replace(&mut asked, true);
-        if first {
-            let parts = [Part::Header, Part::Row(2), Part::End, Part::Row(2)];
-            return parts.map(|part| request(FRAME, part)).concat();
+    let served = self::served(|_| {
+        let parts = [Part::Header, rows(4, 1), Part::End, rows(2, 1)];
+        match std::mem::replace(&mut asked, true) {
+            false => parts.map(|part| request(FRAME, part)).concat(),
+            true => ack(FRAME),
         }
-        Vec::new()
     });
-    assert_eq!(delivery, Ok(Delivery::Unheard));
-    let repairs = [&header[..], &third, &end, &third].concat();
-    assert_eq!(line.sent, [&frame[..], &repairs, &end, &end, &end].concat());
-    assert_eq!(scene.rendered, usize::from(HEIGHT) + 2);
+    assert_eq!(served.delivery, Ok(Delivery::Acknowledged { repairs: 4 }));
+    let last = &packets[5];
+    let sent = |rows: [&Vec<u8>; 2]| {
+        let repairs = [header, rows[0], rows[1], end].map(Clone::clone).concat();
+        served.line.sent == [packets.concat(), repairs].concat()
+    };
+    assert!(sent([third, last]) || sent([last, third]), "{:?}", served.line.sent);
+    assert!(served.scene.rendered <= usize::from(HEIGHT) + 2);
 }
 
 /// A receiver at the other end, behind a line that loses the first copy of some packets and puts
@@ -184,103 +231,224 @@ fn every_part_is_sent_again_that_is_asked_for() {
 fn a_frame_with_losses_is_repaired_through_garbage() {
     for lost in 0..1_u32 << 7 {
         let (mut pixels, mut flags) = ([0; 30], [false; HEIGHT as usize]);
-        let mut receiver = Receiver::new(&mut pixels, &mut flags);
-        let mut decoder = Decoder::<CAPACITY>::new();
+        let memory = Memory { pixels: &mut pixels, rows: &mut flags, above: &mut [] };
+        let mut receiver = Receiver::<CAPACITY>::new(memory, TIMING);
         let mut count = 0;
-        let (delivery, line, _) = served(|mut bytes| {
-            while let Some(packet) = decoder.feed(&mut bytes) {
-                if lost >> count & 1 == 0 {
-                    let _ = receiver.accept(&packet.unwrap());
-                }
+        let mut now = 0;
+        let patience = Patience { ticks: 4, silences: 20 };
+        let served = served_with(patience, |bytes| {
+            now += 10;
+            for packet in bytes.split_inclusive(|byte| *byte == 0).filter(|packet| packet.len() > 1)
+            {
+                let mut packet = packet;
+                while lost >> count & 1 == 0 && receiver.receive(&mut packet, now).is_some() {}
                 count += 1;
             }
+            receiver.poll(now);
             let mut answer: Vec<u8> = (0..60_u8).map(|i| i.wrapping_mul(151)).collect();
-            answer.push(0);
-            receiver.requests().for_each(|r| answer.extend(request(r.frame, r.part)));
-            if receiver.is_complete() {
-                answer.extend(ack(FRAME));
+            while let Some(bytes) = receiver.answer() {
+                answer.extend_from_slice(bytes);
             }
             answer
         });
-        assert!(line.buffered.is_empty());
-        drop(line);
-        let repairs = match delivery {
+        let repairs = match served.delivery {
             Ok(Delivery::Acknowledged { repairs }) => u32::from(repairs),
             other => panic!("{lost:07b}: {other:?}"),
         };
+        drop(served.line);
+        // Rows that are missing one below the other are one request, all of them where the header was lost.
         // Of a lost end the sender itself says that it must be sent again.
-        assert!(repairs >= (lost & 0b011_1111).count_ones(), "{lost:07b}: {repairs}");
-        assert!(receiver.is_complete());
+        let rows = lost >> 1 & 0b1_1111;
+        let ranges = (rows & !(rows << 1)).count_ones();
+        let least = if lost & 1 == 1 { 2 } else { ranges };
+        assert!(repairs >= least, "{lost:07b}: {repairs}");
+        assert!(receiver.frame().is_complete());
         let expected: Vec<u8> = (0..HEIGHT).flat_map(|y| row(y).map(|pixel| pixel.0)).collect();
-        assert_eq!(receiver.pixels(), expected, "{lost:07b}");
+        assert_eq!(receiver.frame().pixels(), expected, "{lost:07b}");
     }
 }
 
 #[test]
 fn silence_ends_after_so_many_looks() {
-    let (frame, end) = plain();
-    let (delivery, line, _) = served(|_| Vec::new());
-    assert_eq!(delivery, Ok(Delivery::Unheard));
-    assert_eq!(line.looks, PATIENCE.looks * PATIENCE.silences);
-    assert_eq!(line.sent, [&frame[..], &end, &end, &end].concat());
+    let frame = packets().concat();
+    let end = packets().pop().unwrap();
+    let silence = [&frame[..], &end, &end].concat();
+    let is_silence = |delivery, sent: &[u8], looks| {
+        assert_eq!(delivery, Ok(Delivery::Unheard));
+        assert_eq!(sent, silence);
+        assert_eq!(looks, PATIENCE.ticks * u32::from(PATIENCE.silences));
+    };
+    let Served { delivery, line, looks, .. } = served(|_| Vec::new());
+    is_silence(delivery, &line.sent, looks);
 
     // Bytes that mean nothing don't break it: neither noise, nor packets of another frame's receiver.
-    let (delivery, line, _) = served(|_| vec![0x5A, 0, 0xFF]);
-    assert_eq!(delivery, Ok(Delivery::Unheard));
-    assert_eq!(line.sent, [&frame[..], &end, &end, &end].concat());
+    let Served { delivery, line, looks, .. } = served(|_| vec![0x5A, 0, 0xFF]);
+    is_silence(delivery, &line.sent, looks);
     let mut count = 0;
-    let (delivery, line, scene) = served(|_| {
+    let Served { delivery, line, looks, scene } = served(|_| {
         count += 1;
         match count {
-            1 => [
-                ack(FRAME + 1),
-                request(FRAME + 1, Part::Row(0)),
-                request(FRAME, Part::Row(HEIGHT)),
-            ]
-            .concat(),
+            1 => [ack(FRAME + 1), request(FRAME + 1, rows(0, 1))].concat(),
             _ => Vec::new(),
         }
     });
+    is_silence(delivery, &line.sent, looks);
+    assert_eq!(scene.rendered, usize::from(HEIGHT));
+
+    // Nor does a request of the frame's own for rows that it hasn't: it only shows that somebody is there.
+    let mut count = 0;
+    let Served { delivery, line, scene, .. } = served(|_| {
+        count += 1;
+        let no_row = [rows(HEIGHT, 1), rows(u16::MAX, u16::MAX), rows(0, 0)];
+        no_row.map(|part| request(FRAME, part)).concat().repeat(usize::from(count == 1))
+    });
     assert_eq!(delivery, Ok(Delivery::Unheard));
-    assert_eq!(line.sent, [&frame[..], &end, &end, &end].concat());
+    assert!(line.sent.starts_with(&frame));
+    assert!(line.sent[frame.len()..].chunks(end.len()).all(|packet| packet == end));
+    assert!(line.sent.len() < frame.len() + 9 * end.len());
     assert_eq!(scene.rendered, usize::from(HEIGHT));
 
     // No patience: the frame is sent, and that is all.
-    for none in [Patience { looks: 0, silences: 0 }, Patience { looks: 9, silences: 0 }] {
-        let mut sender = Sender::<_, CAPACITY>::new(Line::new(|_: &[u8]| Vec::new()));
-        let mut pixels = [Gray8(0); WIDTH as usize];
-        let delivery = serve(&mut Scene::new(), FRAME, &mut sender, &mut pixels, none);
+    for none in [Patience { ticks: 0, silences: 0 }, Patience { ticks: 9, silences: 0 }] {
+        let Served { delivery, line, looks, .. } = served_with(none, |_| Vec::new());
         assert_eq!(delivery, Ok(Delivery::Unheard));
-        assert_eq!(sender.into_inner().sent, frame);
+        assert_eq!(line.sent, frame);
+        assert_eq!(looks, 0);
     }
+    let instant = Patience { ticks: 0, silences: 9 };
+    assert_eq!(served_with(instant, |_| Vec::new()).delivery, Ok(Delivery::Unheard));
 }
 
 #[test]
 fn what_fails_is_said() {
     let mut pixels = [Gray8(0); WIDTH as usize];
-    let line = || Line::new(|_: &[u8]| Vec::new());
+    let mut line = Line::new(|_: &[u8]| Vec::new());
+    let mut sender = Sender::<_, CAPACITY>::new(Plain, PATIENCE);
+    let mut clock = Looks::new();
 
     let mut scene = Scene { breaks_at: 3, ..Scene::new() };
-    let mut sender = Sender::<_, CAPACITY>::new(line());
-    let result = serve(&mut scene, FRAME, &mut sender, &mut pixels, PATIENCE);
-    assert_eq!(result, Err(SendError::Render(RowError::Range)));
+    let result = serve(&mut scene, FRAME, &mut sender, &mut line, &mut pixels, &mut clock);
+    assert_eq!(result, Err(ServeError::Render(RowError::Range)));
     // Behind a `dyn`, and with memory for no row.
     let scene: &mut dyn RowSource<Pixel = Gray8> = &mut Scene::new();
-    let result = serve(scene, FRAME, &mut sender, &mut pixels[1..], PATIENCE);
-    assert_eq!(result, Err(SendError::Render(RowError::Length)));
+    let result = serve(scene, FRAME, &mut sender, &mut line, &mut pixels[1..], &mut clock);
+    assert_eq!(result, Err(ServeError::Render(RowError::Length)));
 
-    let mut small = Sender::<_, CONTROL_CAPACITY>::new(line());
-    let result = serve(scene, FRAME, &mut small, &mut pixels, PATIENCE);
-    assert_eq!(result, Err(SendError::Encode(EncodeError::BufferTooSmall)));
+    let mut small =
+        Sender::<_, { row_capacity(WIDTH, PixelFormat::Gray8) - 1 }>::new(Plain, PATIENCE);
+    let result = serve(scene, FRAME, &mut small, &mut line, &mut pixels, &mut clock);
+    assert_eq!(result, Err(ServeError::Encode(EncodeError::BufferTooSmall)));
 
-    for room in 0..plain().0.len() {
-        sender.writer_mut().room = room;
-        let result = serve(scene, FRAME, &mut sender, &mut pixels, PATIENCE);
-        assert_eq!(result, Err(SendError::Io(ErrorKind::TimedOut)), "{room}");
+    for room in 0..packets().concat().len() {
+        line.room = room;
+        let result = serve(scene, FRAME, &mut sender, &mut line, &mut pixels, &mut clock);
+        assert_eq!(result, Err(ServeError::Write(ErrorKind::TimedOut)), "{room}");
     }
-    sender.writer_mut().room = usize::MAX;
-    sender.writer_mut().is_closed = true;
-    let result = serve(scene, FRAME, &mut sender, &mut pixels, PATIENCE);
-    assert_eq!(result, Err(SendError::Closed));
-    assert_eq!(SendError::<ErrorKind>::Closed.as_str(), "line is closed at its other end");
+    line.room = usize::MAX;
+    line.is_closed = true;
+    let result = serve(scene, FRAME, &mut sender, &mut line, &mut pixels, &mut clock);
+    assert_eq!(result, Err(ServeError::Closed));
+    assert_eq!(ServeError::<ErrorKind>::Closed.as_str(), "line is closed at its other end");
+    line.is_broken = true;
+    let result = serve(scene, FRAME, &mut sender, &mut line, &mut pixels, &mut clock);
+    assert_eq!(result, Err(ServeError::Read(ErrorKind::NotConnected)));
+    // And then it works again.
+    let mut line = Line::new(|_: &[u8]| ack(FRAME));
+    let result = serve(scene, FRAME, &mut sender, &mut line, &mut pixels, &mut clock);
+    assert_eq!(result, Ok(Delivery::Acknowledged { repairs: 0 }));
+    assert_eq!(line.sent, packets().concat());
+}
+
+/// The receiver's loop: events one by one, the answer on the line, and silence when nothing comes.
+#[test]
+fn a_receiver_listens_and_answers() {
+    let mut line = Line::new(|_: &[u8]| Vec::new());
+    let (mut pixels, mut flags) = ([0; 30], [false; HEIGHT as usize]);
+    let memory = Memory { pixels: &mut pixels, rows: &mut flags, above: &mut [] };
+    let mut receiver = Receiver::<CAPACITY>::new(memory, TIMING);
+    let mut clock = Looks::new();
+
+    line.incoming.extend(packets().concat());
+    let mut events = Vec::new();
+    while events.last() != Some(&Event::Complete) {
+        events.push(receive(&mut receiver, &mut line, &mut clock).unwrap());
+    }
+    assert_eq!(events.len(), usize::from(HEIGHT) + 2);
+    assert_eq!(line.sent, ack(FRAME));
+
+    // A frame that breaks off: it asks, each time later, and gives up.
+    line.sent.clear();
+    let next = FrameHeader { frame: FRAME + 1, ..header() };
+    let mut packet = [0; CONTROL_CAPACITY];
+    let len = scancsg::stream::encode_header(next, &mut packet).unwrap();
+    line.incoming.extend(&packet[..len]);
+    let event = receive(&mut receiver, &mut line, &mut clock);
+    assert!(matches!(event, Ok(Event::Started { lost: None, .. })));
+    let before = clock.now();
+    let event = receive(&mut receiver, &mut line, &mut clock);
+    assert_eq!(event, Ok(Event::Silent { frame: FRAME + 1 }));
+    assert_eq!(clock.now() - before, TIMING.give_up);
+    let asks = line.sent.split(|byte| *byte == 0).filter(|packet| !packet.is_empty()).count();
+    assert!((2..10).contains(&asks), "{asks}");
+
+    line.is_closed = true;
+    let result = receive(&mut receiver, &mut line, &mut clock);
+    assert_eq!(result, Err(ServeError::Closed));
+    line.is_broken = true;
+    let result = receive(&mut receiver, &mut line, &mut clock);
+    assert_eq!(result, Err(ServeError::Read(ErrorKind::NotConnected)));
+}
+
+/// A complete frame and a silent line: the clock goes on, so that the caller's own patience can end.
+#[test]
+fn noise_that_never_stops_does_not_hold_a_frame() {
+    /// Noise without end, and a clock that ticks at each byte.
+    struct Noise(u32);
+    impl ErrorType for Noise {
+        type Error = ErrorKind;
+    }
+    impl ReadReady for Noise {
+        fn read_ready(&mut self) -> Result<bool, ErrorKind> {
+            Ok(true)
+        }
+    }
+    impl Read for Noise {
+        fn read(&mut self, bytes: &mut [u8]) -> Result<usize, ErrorKind> {
+            for byte in bytes.iter_mut() {
+                self.0 = self.0.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                *byte = (self.0 >> 24) as u8;
+            }
+            Ok(bytes.len())
+        }
+    }
+    impl Write for Noise {
+        fn write(&mut self, bytes: &[u8]) -> Result<usize, ErrorKind> {
+            Ok(bytes.len())
+        }
+        fn flush(&mut self) -> Result<(), ErrorKind> {
+            Ok(())
+        }
+    }
+    struct Ticks(u32);
+    impl Clock for Ticks {
+        fn now(&mut self) -> u32 {
+            self.0 = self.0.wrapping_add(1);
+            self.0
+        }
+        fn idle(&mut self, _: u32) {}
+    }
+
+    let (mut pixels, mut flags) = ([0; 30], [false; HEIGHT as usize]);
+    let memory = Memory { pixels: &mut pixels, rows: &mut flags, above: &mut [] };
+    let mut receiver = Receiver::<CAPACITY>::new(memory, TIMING);
+    let begin = packets()[0].clone();
+    assert!(receiver.receive(&mut &begin[..], 0).is_some());
+    let event = receive(&mut receiver, &mut Noise(1), &mut Ticks(0));
+    assert_eq!(event, Ok(Event::Silent { frame: FRAME }));
+
+    let mut sender = Sender::<_, CAPACITY>::new(Plain, PATIENCE);
+    let mut pixels = [Gray8(0); WIDTH as usize];
+    let result =
+        serve(&mut Scene::new(), FRAME, &mut sender, &mut Noise(2), &mut pixels, &mut Ticks(0));
+    assert_eq!(result, Ok(Delivery::Unheard));
 }

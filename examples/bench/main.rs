@@ -9,6 +9,7 @@ mod benign;
 #[cfg(target_os = "none")]
 #[path = "../board/mod.rs"]
 mod board;
+mod coding;
 mod frames;
 mod parts;
 mod points;
@@ -63,6 +64,14 @@ fn main() -> ! {
         // For `cargo xtask profile`.
         frame(0);
     }
+    let coded: u32 = (0..coding::PACKETS.into())
+        .map(|packet| {
+            let rendered = counter.instructions(coding::rendered, packet);
+            counter.instructions(coding::coded, packet).saturating_sub(rendered)
+        })
+        .sum();
+    let pixels = u32::from(frames::WIDTH) * u32::from(frames::HEIGHT);
+    report(["code a frame by prediction, a pixel", ""], coded / pixels);
     report(["points", ""], parts::digest());
     loop {
         board::finish(counter.error() <= 1);
@@ -76,6 +85,11 @@ fn main() {
         (part.idle)(part.inputs);
         println!("{} ran", part.name);
     }
+    for packet in 0..coding::PACKETS.into() {
+        coding::rendered(packet);
+        coding::coded(packet);
+    }
+    println!("code a frame by prediction: ran");
     println!("points {}", parts::digest());
     for frame in frames::FRAMES {
         (frame.view)(0);

@@ -2,7 +2,11 @@
 
 #![allow(dead_code)] // every tool takes what it needs
 
+pub mod film;
 pub mod image;
+pub mod meter;
+pub mod picture;
 pub mod port;
 pub mod receive;
-pub mod terminal;
+pub mod screen;
+pub mod wire;

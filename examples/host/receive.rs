@@ -1,26 +1,51 @@
 //! Receiving frames: the host's end of the link.
 
-use super::port::{Heard, Port, READ_TIMEOUT, listen};
+use super::port::{Heard, Port, write_all};
 use scancsg::stream::{
-    CONTROL_CAPACITY, Decoder, Event, FrameHeader, Packet, Part, PixelFormat, Receiver, Request,
-    encode_ack, encode_request, packet_capacity,
+    Assembler, Event, FrameHeader, Memory, PixelFormat, ReceiveError, Receiver, Timing, Traffic,
+    packet_capacity,
 };
-use std::io::Write;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// The widest picture that is received, in pixels.
 pub const MAX_WIDTH: u16 = 4096;
 /// The highest picture.
 pub const MAX_HEIGHT: u16 = 4096;
 /// A packet buffer for such pictures.
-pub const CAPACITY: usize = packet_capacity(MAX_WIDTH, PixelFormat::Rgb565);
+pub const CAPACITY: usize = packet_capacity(MAX_WIDTH, PixelFormat::Rgb888);
 
-/// After this silence in the middle of a frame, what is missing is asked for.
-const ASK_AFTER: Duration = Duration::from_millis(400);
-/// So many times without a new row; then the frame is given up.
-const ASK_TIMES: u32 = 30;
+/// So long is waited for a byte before there is a look at the clock.
+const LISTEN: Duration = Duration::from_millis(10);
+/// So long an answer waits for room on the line. If it gets lost, it is given again.
+const ANSWER_WAIT: Duration = Duration::from_millis(100);
+
+/// The times of a receiver in milliseconds, on a line of so many bits per second: a packet of some rows
+/// must have the time to come.
+pub fn timing(baud: Option<u32>) -> Timing {
+    let packet = baud.map_or(0, |baud| 5_000_000 / baud.max(1));
+    Timing { ask: 400 + packet, give_up: 10_000 + 10 * packet }
+}
+
+/// The memory of a session: as large as the largest frame. The system gives it as it is used.
+pub struct Room {
+    pixels: Vec<u8>,
+    rows: Vec<bool>,
+    above: Vec<u16>,
+}
+
+impl Room {
+    pub fn new() -> Self {
+        let pixels = PixelFormat::Rgb888.row_bytes(MAX_WIDTH) * usize::from(MAX_HEIGHT);
+        Self {
+            pixels: vec![0; pixels],
+            rows: vec![false; usize::from(MAX_HEIGHT)],
+            above: vec![0; usize::from(MAX_WIDTH) + 2],
+        }
+    }
+}
 
 /// A frame, or what arrived of it.
+#[derive(Debug, Clone)]
 pub struct Frame {
     pub header: FrameHeader,
     /// Top row first, little-endian pixels; missing rows are zero.
@@ -28,22 +53,56 @@ pub struct Frame {
     /// Which rows are there.
     pub rows: Vec<bool>,
     pub ending: Ending,
+    /// From its header to its end.
+    pub took: Duration,
 }
 
 impl Frame {
-    /// What is wrong with the frame, and what is left of it.
-    pub fn problem(&self, index: usize) -> Option<String> {
+    fn new(header: FrameHeader) -> Self {
+        Self {
+            header,
+            pixels: vec![0; header.frame_bytes().unwrap_or(0)],
+            rows: vec![false; usize::from(header.height)],
+            ending: Ending::Silent,
+            took: Duration::ZERO,
+        }
+    }
+
+    /// Copies the rows that have come.
+    fn copy(&mut self, from: &Assembler<'_>, y: u16, count: u16) {
+        let bytes = self.header.row_bytes();
+        for y in y..y.saturating_add(count) {
+            let place = self.pixels.chunks_exact_mut(bytes).nth(y.into());
+            if let (Some(to), Some(row)) = (place, from.row(y)) {
+                to.copy_from_slice(row);
+                if let Some(here) = self.rows.get_mut(usize::from(y)) {
+                    *here = true;
+                }
+            }
+        }
+    }
+
+    /// Whether it can be in one film with another.
+    pub fn is_like(&self, other: &FrameHeader) -> bool {
+        let FrameHeader { width, height, format, .. } = self.header;
+        (width, height, format) == (other.width, other.height, other.format)
+    }
+
+    /// What is wrong with the frame: nothing if it is whole.
+    pub fn problem(&self) -> Option<String> {
         let why = match self.ending {
             Ending::Complete => return None,
             Ending::Overtaken => "the next frame began before it was whole",
+            Ending::Restarted => "the device began it again, in another way",
             Ending::Closed => "the line closed in the middle of it",
             Ending::Silent => "the sender fell silent",
+            Ending::Stopped => "stopped in the middle of it",
         };
         let rows = self.missing().map_or_else(
             || "all rows are there, but not its end".to_string(),
-            |rows| format!("what arrived is saved; missing rows: {rows}"),
+            |rows| format!("missing rows: {rows}"),
         );
-        Some(format!("frame {}: {why}: {rows}", index + 1))
+        Some(format!("frame {}: {why}; {rows}", self.header.frame))
     }
 
     /// The missing rows, as ranges for people: `3, 7-9`.
@@ -73,182 +132,155 @@ pub enum Ending {
     Complete,
     /// The sender began another frame.
     Overtaken,
+    /// The sender began a frame of the same number, but of another size or format: it was reset.
+    Restarted,
     /// The line was closed.
     Closed,
     /// Nothing came any more, whatever was asked for.
     Silent,
+    /// The user wanted no more.
+    Stopped,
 }
 
-/// What has happened on the line so far.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Traffic {
-    /// Bytes received.
-    pub bytes: u64,
-    /// Packets that were damaged, or not part of their frame.
-    pub bad_packets: u64,
-    /// Packets sent back to ask for something again.
-    pub requests: u64,
+/// What a session has to tell.
+pub enum News {
+    /// A frame has begun.
+    Begun,
+    /// Rows have come.
+    Rows,
+    /// No more is to be expected of this frame. If it is not whole, the next one may have begun.
+    Frame(Frame),
+    /// Something has come that can't be received.
+    Refused(ReceiveError),
+    /// Nothing that matters.
+    Nothing,
+    /// The other end of the line is gone.
+    Closed,
 }
 
 /// Receives frame after frame from a port.
-pub struct Session {
-    port: Box<dyn Port>,
-    decoder: Decoder<CAPACITY>,
+pub struct Session<'m, P: Port = Box<dyn Port>> {
+    port: P,
+    receiver: Box<Receiver<'m, CAPACITY>>,
     buffer: Vec<u8>,
-    /// The header of a frame that has begun while another was being received.
-    begun: Option<FrameHeader>,
-    traffic: Traffic,
+    /// So many bytes of the buffer have been taken in.
+    taken: usize,
+    /// The frame under way, and when it began.
+    frame: Option<(Frame, Instant)>,
+    start: Instant,
 }
 
-impl Session {
-    pub fn new(port: Box<dyn Port>) -> Self {
-        let decoder = Decoder::new();
-        Self { port, decoder, buffer: Vec::new(), begun: None, traffic: Traffic::default() }
+impl<'m, P: Port> Session<'m, P> {
+    pub fn new(port: P, room: &'m mut Room, timing: Timing) -> Self {
+        let Room { pixels, rows, above } = room;
+        let receiver = Box::new(Receiver::new(Memory { pixels, rows, above }, timing));
+        let start = Instant::now();
+        Self { port, receiver, buffer: Vec::new(), taken: 0, frame: None, start }
+    }
+
+    pub fn port(&mut self) -> &mut P {
+        &mut self.port
     }
 
     pub fn traffic(&self) -> Traffic {
-        self.traffic
+        *self.receiver.traffic()
+    }
+
+    /// What is there of the current frame, or of the last one.
+    pub fn picture(&self) -> &Assembler<'m> {
+        self.receiver.frame()
+    }
+
+    /// The frame under way is given up.
+    pub fn unfinished(&mut self, ending: Ending) -> Option<Frame> {
+        let (frame, since) = self.frame.take()?;
+        Some(Frame { ending, took: since.elapsed(), ..frame })
+    }
+
+    /// Listens for a moment, or until something happens, and answers the sender.
+    pub fn listen(&mut self) -> News {
+        let now = self.start.elapsed().as_millis() as u32;
+        let mut rest = self.buffer.get(self.taken..).unwrap_or_default();
+        let before = rest.len();
+        let event = self.receiver.receive(&mut rest, now);
+        self.taken += before - rest.len();
+        let event = event.or_else(|| self.receiver.poll(now));
+        while let Some(answer) = self.receiver.answer() {
+            let _ = write_all(&mut self.port, answer, ANSWER_WAIT);
+        }
+        if let Some(event) = event {
+            return self.news(event);
+        }
+        self.buffer.resize(4096, 0);
+        let heard = self.port.read(&mut self.buffer, LISTEN);
+        let count = if let Heard::Bytes(count) = heard { count } else { 0 };
+        self.buffer.truncate(count);
+        self.taken = 0;
+        if heard == Heard::Closed { News::Closed } else { News::Nothing }
+    }
+
+    fn news(&mut self, event: Event) -> News {
+        match event {
+            Event::Started { header, lost } => {
+                let restarted = lost == Some(header.frame);
+                let ending = if restarted { Ending::Restarted } else { Ending::Overtaken };
+                let old = self.unfinished(ending).filter(|_| lost.is_some());
+                self.frame = Some((Frame::new(header), Instant::now()));
+                old.map_or(News::Begun, News::Frame)
+            }
+            Event::Rows { y, count } => {
+                if let Some((frame, _)) = &mut self.frame {
+                    frame.copy(self.receiver.frame(), y, count.into());
+                }
+                News::Rows
+            }
+            Event::Complete => match &mut self.frame {
+                Some((frame, _)) => {
+                    frame.copy(self.receiver.frame(), 0, frame.header.height);
+                    self.unfinished(Ending::Complete).map_or(News::Nothing, News::Frame)
+                }
+                None => News::Nothing,
+            },
+            Event::HashMismatch => {
+                if let Some((frame, _)) = &mut self.frame {
+                    frame.rows.fill(false);
+                }
+                News::Nothing
+            }
+            // It may go on: the frame is still under way.
+            Event::Silent { .. } => match &self.frame {
+                Some((frame, since)) => News::Frame(Frame {
+                    ending: Ending::Silent,
+                    took: since.elapsed(),
+                    ..frame.clone()
+                }),
+                None => News::Nothing,
+            },
+            Event::Refused(error) => News::Refused(error),
+            _ => News::Nothing,
+        }
     }
 
     /// Receives the next frame; `watch` sees it grow. `None` if the line closes before one begins,
-    /// or stays silent for `patience`.
-    pub fn frame(
-        &mut self,
-        patience: Duration,
-        mut watch: impl FnMut(&Receiver<'_>, Traffic),
-    ) -> Result<Option<Frame>, String> {
-        let Some(header) = self.header(patience) else { return Ok(None) };
-        if header.width > MAX_WIDTH || header.height > MAX_HEIGHT {
-            return Err(format!(
-                "a frame of {}x{} pixels is announced; {MAX_WIDTH}x{MAX_HEIGHT} is the limit",
-                header.width, header.height
-            ));
-        }
-        let mut pixels = vec![0; header.frame_bytes().unwrap_or(0)];
-        let mut rows = vec![false; usize::from(header.height)];
-        let mut receiver = Receiver::new(&mut pixels, &mut rows);
-        receiver.accept(&Packet::Header(header)).map_err(|error| error.to_string())?;
-        let ending = self.rows(header, &mut receiver, &mut watch);
-        watch(&receiver, self.traffic);
-        Ok(Some(Frame { header, pixels, rows, ending }))
-    }
-
-    /// Waits for the header of a frame.
-    fn header(&mut self, patience: Duration) -> Option<FrameHeader> {
-        if let Some(header) = self.begun.take() {
-            return Some(header);
-        }
-        let mut silence = Duration::ZERO;
-        // A frame whose header was lost: it is asked for when the line has gone quiet.
-        let mut unknown = None;
+    /// or brings nothing for `patience`.
+    pub fn frame(&mut self, patience: Duration, mut watch: impl FnMut(&Self)) -> Option<Frame> {
+        let mut since = Instant::now();
         loop {
-            let mut bytes = self.buffer.as_slice();
-            while let Some(packet) = self.decoder.feed(&mut bytes) {
-                match packet {
-                    Ok(Packet::Header(header)) => {
-                        self.buffer = bytes.to_vec();
-                        return Some(header);
-                    }
-                    Ok(Packet::Row { frame, .. } | Packet::End { frame, .. }) => {
-                        unknown = Some(frame);
-                    }
-                    Ok(_) => {}
-                    Err(_) => self.traffic.bad_packets += 1,
+            match self.listen() {
+                News::Frame(frame) => {
+                    watch(self);
+                    return Some(frame);
                 }
-            }
-            match self.hear() {
-                Heard::Bytes(_) => silence = Duration::ZERO,
-                Heard::Silence => silence += READ_TIMEOUT,
-                Heard::Closed => return None,
-            }
-            if silence >= ASK_AFTER
-                && let Some(frame) = unknown.take()
-            {
-                let request = Request { frame, part: Part::Header };
-                ask(&mut *self.port, &mut self.traffic, request);
-            }
-            if silence >= patience {
-                return None;
+                News::Begun | News::Rows => {
+                    since = Instant::now();
+                    watch(self);
+                }
+                News::Closed => return self.unfinished(Ending::Closed),
+                News::Nothing | News::Refused(_) if since.elapsed() >= patience => {
+                    return self.unfinished(Ending::Silent);
+                }
+                News::Nothing | News::Refused(_) => {}
             }
         }
     }
-
-    /// Receives the rows of a frame until it is complete or given up.
-    fn rows(
-        &mut self,
-        header: FrameHeader,
-        receiver: &mut Receiver<'_>,
-        watch: &mut impl FnMut(&Receiver<'_>, Traffic),
-    ) -> Ending {
-        let mut silence = Duration::ZERO;
-        let mut asked = 0;
-        loop {
-            let mut should_ask = false;
-            let mut bytes = self.buffer.as_slice();
-            while let Some(packet) = self.decoder.feed(&mut bytes) {
-                let event = match packet {
-                    Ok(Packet::Header(next)) if next.frame != header.frame => {
-                        self.begun = Some(next);
-                        self.buffer = bytes.to_vec();
-                        return Ending::Overtaken;
-                    }
-                    Ok(packet) => receiver.accept(&packet).ok(),
-                    Err(_) => None,
-                };
-                match event {
-                    Some(Event::Complete) => {
-                        let mut packet = [0; CONTROL_CAPACITY];
-                        let length = encode_ack(header.frame, &mut packet).unwrap_or(0);
-                        // The sender ends the frame once more if this gets lost.
-                        let _ = self.port.write_all(packet.get(..length).unwrap_or_default());
-                        self.buffer = bytes.to_vec();
-                        return Ending::Complete;
-                    }
-                    Some(Event::Row { .. }) => {
-                        asked = 0;
-                        watch(receiver, self.traffic);
-                    }
-                    Some(Event::Incomplete { .. } | Event::HashMismatch) => should_ask = true,
-                    Some(_) => {}
-                    None => self.traffic.bad_packets += 1,
-                }
-            }
-            match self.hear() {
-                Heard::Bytes(_) => silence = Duration::ZERO,
-                Heard::Silence => silence += READ_TIMEOUT,
-                Heard::Closed => return Ending::Closed,
-            }
-            if should_ask || silence >= ASK_AFTER {
-                silence = Duration::ZERO;
-                asked += 1;
-                if asked > ASK_TIMES {
-                    return Ending::Silent;
-                }
-                for request in receiver.requests() {
-                    ask(&mut *self.port, &mut self.traffic, request);
-                }
-            }
-        }
-    }
-
-    /// Refills the buffer from the port.
-    fn hear(&mut self) -> Heard {
-        self.buffer.resize(4096, 0);
-        let heard = listen(&mut *self.port, &mut self.buffer);
-        let count = match heard {
-            Heard::Bytes(count) => count,
-            _ => 0,
-        };
-        self.buffer.truncate(count);
-        self.traffic.bytes += count as u64;
-        heard
-    }
-}
-
-/// Sends a request. If it gets lost, the next silence asks again.
-fn ask(port: &mut dyn Port, traffic: &mut Traffic, request: Request) {
-    let mut packet = [0; CONTROL_CAPACITY];
-    let length = encode_request(request, &mut packet).unwrap_or(0);
-    let _ = port.write_all(packet.get(..length).unwrap_or_default());
-    traffic.requests += 1;
 }

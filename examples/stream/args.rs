@@ -7,13 +7,17 @@ use scancsg::render::Size;
 use std::path::PathBuf;
 use std::sync::LazyLock;
 
+const EXIT_CODES: &str = "\
+Exit codes: 0 all frames are whole and acknowledged, 1 something failed, 2 wrong options, \
+3 a frame is incomplete or not acknowledged.";
+
 /// Render a part row by row, send it through a serial line, and put it together at the other end.
 ///
 /// Without --port, the line is a pseudo-terminal pair of this computer: a thread renders and
 /// sends into one end, the other end is received, shown and saved. With --port, the frames go
 /// to a device, and the example `view` can receive them.
 #[derive(Debug, Parser)]
-#[command(name = "stream", version)]
+#[command(name = "stream", version, after_help = EXIT_CODES)]
 pub struct Args {
     /// What is rendered
     #[arg(long, value_enum, default_value_t = Part::Tee)]
@@ -47,6 +51,11 @@ pub struct Args {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=16))]
     pub smooth: Option<u16>,
 
+    /// How rows are coded: several together, each pixel predicted from its neighbours, or each row for
+    /// itself, in runs of equal pixels
+    #[arg(long, value_enum, default_value_t = Coding::Predictive)]
+    pub coding: Coding,
+
     /// How many frames; all of them together are one turn
     #[arg(long, value_name = "N", default_value_t = 1,
           value_parser = clap::value_parser!(u16).range(1..=3600))]
@@ -64,9 +73,14 @@ pub struct Args {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(300..))]
     pub baud: Option<u32>,
 
-    /// Flip a bit in about every N bytes sent, to see the repair at work
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(20..))]
-    pub noise: Option<u32>,
+    /// Flip bits, to see the repair at work: in this share of the bytes sent, as 0.001, or in about
+    /// every N-th
+    #[arg(long, value_name = "RATE", default_value = "0", value_parser = noise)]
+    pub noise: f32,
+
+    /// Don't wait for the other end's answers: the line has no way back
+    #[arg(long, requires = "port")]
+    pub one_way: bool,
 
     /// Close the line after N bytes, to see what becomes of an interrupted frame
     #[arg(long, value_name = "N")]
@@ -107,6 +121,12 @@ pub enum Format {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Coding {
+    Predictive,
+    Plain,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Shade {
     Lambert,
     Depth,
@@ -130,6 +150,15 @@ pub enum Number {
     F32,
     F64,
     I16f16,
+}
+
+/// A share of bytes, or one in so many.
+fn noise(text: &str) -> Result<f32, String> {
+    match text.parse() {
+        Ok(rate @ 0.0..=0.05) => Ok(rate),
+        Ok(every @ 20.0..=1e9) => Ok(1.0 / every),
+        _ => Err("not a share of bytes up to 0.05, nor a number of bytes from 20 on".into()),
+    }
 }
 
 fn size(text: &str) -> Result<Size, String> {

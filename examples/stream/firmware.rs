@@ -13,7 +13,9 @@ use number::Number;
 use scancsg::render::{
     CameraError, Gray8, Lambert, Picture, RowError, ShadeError, Size, SizeError,
 };
-use scancsg::stream::{Delivery, Patience, PixelFormat, SendError, Sender, packet_capacity, serve};
+use scancsg::stream::{
+    Delivery, Looks, Patience, PixelFormat, Predictive, Sender, ServeError, packet_capacity, serve,
+};
 
 const WIDTH: u16 = 160;
 const HEIGHT: u16 = 120;
@@ -36,7 +38,7 @@ mod number {
 static TEE: Tee<Number> = Number::TEE;
 
 /// Some ten to thirty instructions a look: about three seconds on these boards.
-const PATIENCE: Patience = Patience { looks: 500_000, silences: 3 };
+const PATIENCE: Patience = Patience { ticks: 500_000, silences: 3 };
 
 /// Why the picture was not delivered.
 #[derive(Clone, Copy)]
@@ -53,10 +55,10 @@ enum Failure {
 }
 
 impl Failure {
-    fn from<E: Error>(error: &SendError<E>) -> Self {
+    fn from<E: Error>(error: &ServeError<E>) -> Self {
         match error {
-            SendError::Render(error) => Self::Row(*error),
-            SendError::Io(error) | SendError::Listen(error) => Self::Line(error.kind()),
+            ServeError::Render(error) => Self::Row(*error),
+            ServeError::Write(error) | ServeError::Read(error) => Self::Line(error.kind()),
             _ => Self::Sender(error.as_str()),
         }
     }
@@ -77,11 +79,13 @@ fn send(line: &mut (impl Read + ReadReady + Write)) -> Result<(), Failure> {
     let size = Size::new(WIDTH, HEIGHT).map_err(Failure::Size)?;
     let mut picture = Picture::new(&TEE, &camera, size, light, Gray8(0));
     let mut pixels = [Gray8(0); WIDTH as usize];
-    let mut sender = Sender::<_, PACKET>::new(line);
+    let mut sender =
+        Sender::<_, PACKET>::new(Predictive::<Gray8, { WIDTH as usize }>::new(), PATIENCE);
     let mut outcome = Err(Failure::Unheard);
     for frame in 0..FRAMES {
         let before = sender.bytes_sent();
-        let delivery = serve(&mut picture, frame, &mut sender, &mut pixels, PATIENCE);
+        let delivery =
+            serve(&mut picture, frame, &mut sender, line, &mut pixels, &mut Looks::new());
         let bytes = sender.bytes_sent().wrapping_sub(before);
         let failure = match delivery {
             Ok(Delivery::Acknowledged { repairs }) => {

@@ -7,7 +7,7 @@ use scancsg::geom::{Axis, Line, Pose, Vec3};
 use scancsg::scalar::Scalar;
 use scancsg::solid::{
     Bounds, ByLine, Cone, Cuboid, Cylinder, Difference, HalfSpace, Many, Painted, Placed,
-    Polyhedron, Rgb, Scaled, Solid, Sphere, Torus,
+    Polyhedron, Rgb, Scaled, Solid, Sphere, Torus, Wrap,
 };
 use scancsg::span::{Face, Shape, SpanStack};
 use std::error::Error;
@@ -278,8 +278,9 @@ fn eggs<S: Scalar>(of: &mut Builder<S>) -> Built {
 /// A rod with round ends.
 fn capsule<S: Scalar>(of: &mut Builder<S>, from: [i32; 3], to: [i32; 3], radius: i32) -> Built {
     let capsule = Cylinder::capsule(v(from), v(to), n(radius))?;
-    of.put(of.at(*capsule.left()))?;
-    capsule.right().iter().try_for_each(|ball| of.put(of.at(*ball)))
+    let parts = capsule.inner();
+    of.put(of.at(*parts.left()))?;
+    parts.right().iter().try_for_each(|ball| of.put(of.at(*ball)))
 }
 
 fn capsules<S: Scalar>(of: &mut Builder<S>) -> Built {
@@ -290,8 +291,9 @@ fn capsules<S: Scalar>(of: &mut Builder<S>) -> Built {
 
 fn rounded<S: Scalar>(of: &mut Builder<S>) -> Built {
     let rounded = Cuboid::rounded(v([-170, -80, -110]), v([170, 80, 110]), n(45))?;
-    rounded.left().iter().try_for_each(|plate| of.put(of.at(*plate)))?;
-    let (edges, corners) = (rounded.right().left(), rounded.right().right());
+    let parts = rounded.inner();
+    parts.left().iter().try_for_each(|plate| of.put(of.at(*plate)))?;
+    let (edges, corners) = (parts.right().left(), parts.right().right());
     edges.iter().try_for_each(|edge| of.put(of.at(*edge)))?;
     corners.iter().try_for_each(|corner| of.put(of.at(*corner)))?;
     of.color = BRASS;

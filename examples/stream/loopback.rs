@@ -1,11 +1,15 @@
 //! The host: chooses what is rendered, gives it a line, and looks at what comes out.
 
-use crate::args::{self, Args, Camera, Format, Number, Path};
+use crate::args::{self, Args, Camera, Coding, Format, Number, Path};
+use crate::coding::Chosen;
 use crate::gallery::Assembly;
-use crate::host::image::write_png;
-use crate::host::port::{self, Faults, Heard, Port, Wire};
-use crate::host::receive::{CAPACITY, Ending, Frame, Session};
-use crate::host::terminal::Display;
+use crate::host::film::Film;
+use crate::host::meter::Meter;
+use crate::host::port::{self, Port};
+use crate::host::receive::{CAPACITY, Ending, Room, Session, timing};
+use crate::host::screen::Screen;
+use crate::host::wire::{Trouble, Wire};
+use crate::line::{Line, ONE_WAY, PATIENCE};
 use crate::scene::LAP;
 use crate::scene::pipe::PipeScene;
 use crate::shading::Shading;
@@ -16,9 +20,9 @@ use scancsg::render::{
 };
 use scancsg::scalar::I16F16;
 use scancsg::solid::{Placed, Scan, Solid};
-use scancsg::stream::{Delivery, Patience, SendError, Sender, WirePixel, serve};
+use scancsg::stream::{Delivery, Predictable, Sender, ServeError, Timing, WirePixel, serve};
 use std::f64::consts::TAU;
-use std::io::{self, Write};
+use std::io;
 use std::process::ExitCode;
 use std::thread;
 use std::time::{Duration, Instant};
@@ -34,8 +38,14 @@ const NEAR_HEIGHT: f64 = 3.7;
 /// For the pipe's segments, and their views and rows, which an unoptimised build copies about.
 const SENDER_STACK: usize = 16 << 20;
 
-/// With no sender, this long is waited for a frame.
-const PATIENCE: Duration = Duration::from_secs(5);
+/// A frame's first packet may have to be rendered for so long; a sender that fails closes the line.
+const FRAME_WAIT: Duration = Duration::from_secs(120);
+
+/// After so many frames in a row that nobody has acknowledged, no more are sent.
+const UNHEARD: u32 = 3;
+
+/// A frame is incomplete, or not acknowledged.
+const INCOMPLETE: u8 = 3;
 
 pub fn run() -> ExitCode {
     let args = Args::parse();
@@ -44,7 +54,11 @@ pub fn run() -> ExitCode {
         None => loop_back(&args),
     };
     match result {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(problems) if problems.is_empty() => ExitCode::SUCCESS,
+        Ok(problems) => {
+            eprintln!("stream: {}", problems.join("\n        "));
+            ExitCode::from(INCOMPLETE)
+        }
         Err(message) => {
             eprintln!("stream: {message}");
             ExitCode::FAILURE
@@ -52,133 +66,91 @@ pub fn run() -> ExitCode {
     }
 }
 
-/// The device's end of the line, on a host.
-struct HostLine {
-    wire: Wire,
-    /// A byte that a look at the line has brought.
-    ahead: Option<u8>,
-}
-
-/// A look takes a tenth of a second: see [`port::READ_TIMEOUT`].
-const LINE_PATIENCE: Patience = Patience { looks: 10, silences: 3 };
-
-impl embedded_io::ErrorType for HostLine {
-    type Error = io::Error;
-}
-
-impl embedded_io::Write for HostLine {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.wire.write(bytes)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.wire.flush()
-    }
-}
-
-impl embedded_io::ReadReady for HostLine {
-    fn read_ready(&mut self) -> io::Result<bool> {
-        let mut byte = [0];
-        if self.ahead.is_none() {
-            match port::listen(&mut self.wire, &mut byte) {
-                Heard::Bytes(_) => self.ahead = byte.first().copied(),
-                Heard::Silence => {}
-                Heard::Closed => return Err(io::ErrorKind::BrokenPipe.into()),
-            }
-        }
-        Ok(self.ahead.is_some())
-    }
-}
-
-impl embedded_io::Read for HostLine {
-    fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
-        let Some(byte) = bytes.first_mut() else { return Ok(0) };
-        while !embedded_io::ReadReady::read_ready(self)? {}
-        *byte = self.ahead.take().unwrap_or_default();
-        Ok(1)
-    }
-}
-
-fn line(port: Box<dyn Port>, args: &Args) -> HostLine {
-    let faults = Faults {
-        baud: args.baud.filter(|_| args.port.is_none()),
-        noise: args.noise,
-        cut_after: args.cut_after,
-    };
-    HostLine { wire: Wire::new(port, faults), ahead: None }
+fn line(port: Box<dyn Port>, args: &Args) -> Line {
+    let baud = args.baud.filter(|_| args.port.is_none());
+    Line::new(Wire::new(port, Trouble { baud, noise: args.noise, cut_after: args.cut_after }))
 }
 
 /// What the sending side has to say when it is done.
 struct Sent {
+    frames: u16,
     bytes: u64,
     unheard: u32,
 }
 
-/// Sends to a real device, and waits for it to acknowledge.
-fn send_to_device(args: &Args, device: &str) -> Result<(), String> {
+/// Sends to a real device, and waits for it to acknowledge. Returns what is not as it should be.
+fn send_to_device(args: &Args, device: &str) -> Result<Vec<String>, String> {
     let port = port::open(device, args.baud.unwrap_or(115_200))?;
     let start = Instant::now();
-    let sent = send(args, line(port, args), &mut |frame| {
+    let sent = send(args, &line(port, args), &mut |frame| {
         eprintln!("frame {}/{} sent to {device}", frame + 1, args.frames);
     })?;
     println!(
         "{} frame(s) of {}x{}, {} bytes in {:.1} s to {device}",
-        args.frames,
+        sent.frames,
         args.size.width(),
         args.size.height(),
         sent.bytes,
         start.elapsed().as_secs_f32()
     );
-    if sent.unheard > 0 {
-        eprintln!("{} frame(s) were not acknowledged by the other end", sent.unheard);
+    let mut problems = Vec::new();
+    if sent.unheard > 0 && !args.one_way {
+        problems.push(format!("{} frame(s) were not acknowledged by the other end", sent.unheard));
     }
-    Ok(())
+    if sent.frames < args.frames {
+        problems.push(format!("gave up after {} of {} frames", sent.frames, args.frames));
+    }
+    Ok(problems)
 }
 
 /// Sends in a thread into one end of a line, receives at the other end, shows and saves.
-fn loop_back(args: &Args) -> Result<(), String> {
+fn loop_back(args: &Args) -> Result<Vec<String>, String> {
     let (near, far) = port::loopback()?;
     let start = Instant::now();
     thread::scope(|scope| {
         let sender = thread::Builder::new()
             .stack_size(SENDER_STACK)
-            .spawn_scoped(scope, || send(args, line(far, args), &mut |_| {}))
+            .spawn_scoped(scope, || send(args, &line(far, args), &mut |_| {}))
             .map_err(|error| format!("starting a thread failed: {error}"))?;
-        let mut session = Session::new(near);
-        let display = Display::new();
-        let mut frames: Vec<Frame> = Vec::new();
-        let count = usize::from(args.frames);
-        while frames.len() < count {
-            display.begin(frames.len() as u32, Some(u32::from(args.frames)));
-            match session.frame(PATIENCE, |receiver, traffic| display.show(receiver, traffic))? {
-                Some(frame) => frames.push(frame),
-                None => break,
-            }
-            if frames.last().is_some_and(|frame| frame.ending == Ending::Closed) {
+        let mut room = Room::new();
+        let give_up = FRAME_WAIT.as_millis() as u32;
+        let timing = Timing { give_up, ..timing(args.baud) };
+        let mut session: Session<'_> = Session::new(near, &mut room, timing);
+        let (mut screen, mut meter, mut film) = (Screen::new(), Meter::new(), Film::new(&args.out));
+        let count = u32::from(args.frames);
+        let (mut problems, mut arrived, mut raw) = (Vec::new(), 0, 0);
+        while arrived < count {
+            let frame = session.frame(FRAME_WAIT, |session| {
+                if screen.is_due() {
+                    let figures = meter.lines(session.picture(), session.traffic(), Some(count));
+                    screen.draw(session.picture(), &figures);
+                }
+            });
+            let Some(frame) = frame else { break };
+            arrived += 1;
+            meter.count(&frame);
+            film.push(&frame)?;
+            raw += frame.pixels.len();
+            problems.extend(frame.problem().map(|problem| problem + "; what arrived is saved"));
+            if frame.ending == Ending::Closed {
                 break;
             }
         }
-        display.finish();
         let traffic = session.traffic();
+        screen.draw(session.picture(), &meter.lines(session.picture(), traffic, Some(count)));
         // The sender may still be waiting for an answer.
         drop(session);
-
-        let mut problems: Vec<String> =
-            frames.iter().enumerate().filter_map(|(index, frame)| frame.problem(index)).collect();
-        match frames.len() {
+        match arrived {
             0 => problems.push("no frame arrived, and nothing was written".to_string()),
             arrived if arrived < count => {
                 problems.push(format!("only {arrived} of {count} frames arrived"));
             }
             _ => {}
         }
-        if !frames.is_empty() {
-            write_png(&args.out, &frames)?;
-            let raw = frames.iter().map(|frame| frame.pixels.len() as u64).sum::<u64>();
+        for file in film.files() {
             println!(
-                "{}: {} frame(s) of {}x{}\n{} bytes on the line for {raw} bytes of pixels, {:.2} s",
-                args.out.display(),
-                frames.len(),
+                "{}: {arrived} frame(s) of {}x{}\n{} bytes on the line for {raw} bytes of pixels, {:.2} s",
+                file.display(),
                 args.size.width(),
                 args.size.height(),
                 traffic.bytes,
@@ -192,18 +164,15 @@ fn loop_back(args: &Args) -> Result<(), String> {
             );
         }
         let sent = sender.join().map_err(|_| "the sending thread panicked")?;
-        if problems.is_empty() {
-            return Ok(());
-        }
-        if let Err(cause) = sent {
+        if let (Err(cause), false) = (sent, problems.is_empty()) {
             problems.push(cause);
         }
-        Err(problems.join("\n        "))
+        Ok(problems)
     })
 }
 
 /// Renders and sends all frames, in the number type and the pixel format that were asked for.
-fn send(args: &Args, line: HostLine, sent: &mut dyn FnMut(u16)) -> Result<Sent, String> {
+fn send(args: &Args, line: &Line, sent: &mut dyn FnMut(u16)) -> Result<Sent, String> {
     match args.number {
         Number::F32 => send_number::<f32>(args, line, sent),
         Number::F64 => send_number::<f64>(args, line, sent),
@@ -236,7 +205,7 @@ impl Choice for I16F16 {
 
 fn send_number<S: Choice>(
     args: &Args,
-    line: HostLine,
+    line: &Line,
     sent: &mut dyn FnMut(u16),
 ) -> Result<Sent, String> {
     let pixel = NEAR_HEIGHT / f64::from(args.size.height().min(FINEST_ROWS));
@@ -280,7 +249,7 @@ where
 
 fn send_shaded<S, T, P>(
     args: &Args,
-    line: HostLine,
+    line: &Line,
     sent: &mut dyn FnMut(u16),
     part: &T,
     background: P,
@@ -288,7 +257,7 @@ fn send_shaded<S, T, P>(
 where
     S: Choice,
     T: Part<S>,
-    P: Blend + WirePixel,
+    P: Blend + WirePixel<Wire: Predictable>,
 {
     let shading = Shading::new(args.shade, S::TO_LIGHT, S::hundredths);
     let shading = shading.map_err(|error| error.to_string())?;
@@ -318,7 +287,7 @@ where
 
 fn send_frames<S, T, C, P>(
     args: &Args,
-    line: HostLine,
+    line: &Line,
     sent: &mut dyn FnMut(u16),
     part: &T,
     camera: impl Fn(u16) -> Result<C, String>,
@@ -329,13 +298,19 @@ where
     S: Choice,
     C: scancsg::render::Camera<Rays: Rays<Scalar = S>>,
     T: Solid<Scalar = S> + Scan<C::Rays>,
-    P: Blend + WirePixel,
+    P: Blend + WirePixel<Wire: Predictable>,
 {
     let size: Size = args.size;
-    let mut sender = Box::new(Sender::<_, CAPACITY>::new(line));
+    let coding = match args.coding {
+        Coding::Plain => Chosen::plain(),
+        Coding::Predictive => Chosen::predictive(),
+    };
+    let patience = if args.one_way { ONE_WAY } else { PATIENCE };
+    let mut sender = Box::new(Sender::<_, CAPACITY>::new(coding, patience));
+    let (mut port, mut clock) = (line, line);
     let mut pixels = vec![background; usize::from(size.width())];
     let mut columns = vec![SmoothColumn::EMPTY; usize::from(size.width()) + 1];
-    let mut unheard = 0;
+    let (mut unheard, mut in_a_row, mut frames) = (0, 0, 0);
     for frame in 0..args.frames {
         let turns = match args.path {
             Path::Turn => f64::from(frame) / f64::from(args.frames),
@@ -347,26 +322,32 @@ where
         let delivery = match args.smooth {
             None => {
                 let mut picture = Picture::new(&turned, &camera, size, shading, background);
-                serve(&mut picture, frame, &mut sender, &mut pixels, LINE_PATIENCE)
+                serve(&mut picture, frame, &mut sender, &mut port, &mut pixels, &mut clock)
             }
             Some(samples) => {
                 let smoothing = Smoothing::new(size, samples, &mut columns)
                     .map_err(|error| error.to_string())?;
                 let mut picture =
                     SmoothPicture::new(&turned, &camera, smoothing, shading, background);
-                serve(&mut picture, frame, &mut sender, &mut pixels, LINE_PATIENCE)
+                serve(&mut picture, frame, &mut sender, &mut port, &mut pixels, &mut clock)
             }
         };
         let delivery = delivery.map_err(|error| describe_error(&error))?;
-        unheard += u32::from(delivery == Delivery::Unheard);
+        let is_unheard = delivery == Delivery::Unheard;
+        unheard += u32::from(is_unheard);
+        in_a_row = if is_unheard { in_a_row + 1 } else { 0 };
+        frames += 1;
         sent(frame);
+        if in_a_row >= UNHEARD && !args.one_way {
+            break;
+        }
     }
-    Ok(Sent { bytes: sender.bytes_sent(), unheard })
+    Ok(Sent { frames, bytes: sender.bytes_sent(), unheard })
 }
 
-fn describe_error(error: &SendError<io::Error>) -> String {
+fn describe_error(error: &ServeError<io::Error>) -> String {
     match error {
-        SendError::Io(error) | SendError::Listen(error) => format!("sending failed: {error}"),
+        ServeError::Write(cause) | ServeError::Read(cause) => format!("sending failed: {cause}"),
         error => error.to_string(),
     }
 }

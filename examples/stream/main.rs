@@ -12,6 +12,8 @@ mod args;
 #[cfg(target_os = "none")]
 #[path = "../board/mod.rs"]
 mod board;
+#[cfg(not(target_os = "none"))]
+mod coding;
 #[cfg(target_os = "none")]
 mod firmware;
 #[cfg(not(target_os = "none"))]
@@ -19,6 +21,8 @@ mod gallery;
 #[cfg(not(target_os = "none"))]
 #[path = "../host/mod.rs"]
 mod host;
+#[cfg(not(target_os = "none"))]
+mod line;
 #[cfg(not(target_os = "none"))]
 mod loopback;
 #[path = "../scene/mod.rs"]

@@ -3,52 +3,20 @@
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod common;
 #[path = "../scene/mod.rs"]
 mod scene;
 
+use common::{Guarded, Pty, example, read_png, scratch};
+
 use scancsg::render::{Gray8, Lambert, Picture, Size, SmoothColumn, SmoothPicture, Smoothing};
 use scancsg::stream::{
-    CONTROL_CAPACITY, Decoder, FrameHeader, PixelFormat, Receiver, Sender, encode_ack,
-    packet_capacity,
+    Assembler, CONTROL_CAPACITY, Decoder, Memory, PixelFormat, encode_ack, packet_capacity,
 };
-use serialport::SerialPort;
-use std::io::{Read, Write};
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
-
-/// An example's binary, which `cargo test` builds beside the tests.
-fn example(name: &str) -> Command {
-    let test = std::env::current_exe().unwrap();
-    let path = test.parent().and_then(Path::parent).unwrap().join("examples").join(name);
-    assert!(path.exists(), "{} is missing: run `cargo build --examples`", path.display());
-    Command::new(path)
-}
+use std::process::Output;
 
 fn stream(arguments: &[&str]) -> Output {
     example("stream").args(arguments).output().unwrap()
-}
-
-/// A file of this test's own.
-fn scratch(name: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name)
-}
-
-struct Png {
-    width: u32,
-    height: u32,
-    color: png::ColorType,
-    frames: u32,
-    pixels: Vec<u8>,
-}
-
-fn read_png(path: &Path) -> Png {
-    let file = std::io::BufReader::new(std::fs::File::open(path).unwrap());
-    let mut reader = png::Decoder::new(file).read_info().unwrap();
-    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
-    let info = reader.next_frame(&mut pixels).unwrap();
-    pixels.truncate(info.buffer_size());
-    let frames = reader.info().animation_control.map_or(1, |animation| animation.num_frames);
-    Png { width: info.width, height: info.height, color: info.color_type, frames, pixels }
 }
 
 /// `tee` as the library renders it, without any link.
@@ -119,8 +87,8 @@ fn a_noisy_line_is_repaired_to_the_same_picture() {
 #[test]
 fn a_cut_line_saves_what_arrived_and_names_the_rest() {
     let out = scratch("cut.png");
-    let output = stream(&["--out", out.to_str().unwrap(), "--cut-after", "3000"]);
-    assert!(!output.status.success());
+    let output = stream(&["--out", out.to_str().unwrap(), "--cut-after", "1000"]);
+    assert_eq!(output.status.code(), Some(3));
     let message = String::from_utf8_lossy(&output.stderr).into_owned();
     let (_, rows) = message.split_once("missing rows: ").unwrap();
     let first: usize = rows.split('-').next().unwrap().parse().unwrap();
@@ -166,10 +134,11 @@ fn the_pipe_looks_alike_in_all_number_types() {
 
 #[test]
 fn the_pipe_moves_and_survives_noise() {
-    for (path, number) in [("turn", "f64"), ("orbit", "f32"), ("turn", "i16f16")] {
+    let cases = [("turn", "f64", "2000"), ("orbit", "f32", "0.002"), ("turn", "i16f16", "0.001")];
+    for (path, number, noise) in cases {
         let out = scratch(&format!("pipe-{path}-{number}.png"));
         let arguments = ["--scene", "pipe", "--frames", "3", "--size", "48x36", "--path", path];
-        let rest = ["--format", "rgb565", "--noise", "2000", "--number", number];
+        let rest = ["--format", "rgb565", "--noise", noise, "--number", number];
         let output =
             stream(&[&arguments[..], &rest[..], &["--out", out.to_str().unwrap()]].concat());
         assert!(output.status.success(), "{output:?}");
@@ -188,6 +157,9 @@ fn wrong_arguments_say_what_is_wrong() {
         (vec!["--smooth", "9", "--size", "4096x9"], "samples"),
         (vec!["--format", "cmyk"], "rgb565"),
         (vec!["--baud", "1"], "300"),
+        (vec!["--noise", "0.5"], "0.05"),
+        (vec!["--noise", "19"], "20"),
+        (vec!["--coding", "zip"], "predictive"),
         (vec!["--port", "/nonexistent/tty"], "/nonexistent/tty"),
         (vec!["--out", "/nonexistent/a.png"], "/nonexistent/a.png"),
     ];
@@ -205,89 +177,91 @@ fn help_names_every_option() {
     let output = stream(&["--help"]);
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     for option in [
-        "--scene", "--out", "--size", "--format", "--shade", "--camera", "--number", "--smooth",
-        "--frames", "--path", "--port", "--baud",
+        "--scene",
+        "--out",
+        "--size",
+        "--format",
+        "--shade",
+        "--camera",
+        "--number",
+        "--smooth",
+        "--frames",
+        "--path",
+        "--port",
+        "--baud",
+        "--coding",
+        "--noise",
+        "--one-way",
+        "Exit codes",
     ] {
         assert!(text.contains(option), "{option}");
     }
 }
 
 #[test]
-fn view_receives_from_a_serial_device() {
-    const CAPACITY: usize = packet_capacity(48, PixelFormat::Gray8);
-    let (mut near, far) = serialport::TTYPort::pair().unwrap();
-    let device = far.name().unwrap();
-    drop(far);
-    let out = scratch("view.png");
-    let mut view = example("view")
-        .args(["--port", &device, "--out", out.to_str().unwrap(), "--wait", "20"])
-        .stderr(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap();
-
-    let pixels = rendered(48, 36);
-    let mut bytes = Vec::new();
-    let mut sender = Sender::<_, CAPACITY>::new(&mut bytes);
-    let (width, height) = (48, 36);
-    sender.begin(FrameHeader { frame: 7, width, height, format: PixelFormat::Gray8 }).unwrap();
-    for (y, row) in (0..).zip(pixels.chunks_exact(48)) {
-        sender.row(y, row).unwrap();
-    }
-    sender.end().unwrap();
-    // Until the other program opens the device, the line is down, and when it does, it may find
-    // itself in the middle of a frame: send until it has had enough and ends.
-    let pause = std::time::Duration::from_millis(200);
-    near.set_timeout(pause).unwrap();
-    let mut answer = [0; 64];
-    for _ in 0..60 {
-        let _ = near.write_all(&bytes);
-        let _ = near.read(&mut answer);
-        if view.try_wait().unwrap().is_some() {
-            break;
-        }
-        std::thread::sleep(pause);
-    }
-    let output = view.wait_with_output().unwrap();
-    assert!(output.status.success(), "{output:?}");
-    let levels: Vec<u8> = pixels.iter().map(|pixel| pixel.0).collect();
-    assert_eq!(read_png(&out).pixels, levels);
-}
-
-#[test]
 fn stream_sends_to_a_serial_device() {
     const CAPACITY: usize = packet_capacity(48, PixelFormat::Gray8);
-    let (mut near, far) = serialport::TTYPort::pair().unwrap();
-    let device = far.name().unwrap();
-    drop(far);
-    let mut stream = example("stream")
-        .args(["--port", &device, "--size", "48x36"])
-        .stderr(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap();
-
-    let (mut pixels, mut rows) = ([0; 48 * 36], [false; 36]);
-    let mut receiver = Receiver::new(&mut pixels, &mut rows);
+    let mut pty = Pty::new();
+    let mut stream =
+        Guarded::spawn(example("stream").args(["--port", &pty.name, "--size", "48x36"]));
+    let (mut pixels, mut rows, mut above) = ([0; 48 * 36], [false; 36], [0; 50]);
+    let memory = Memory { pixels: &mut pixels, rows: &mut rows, above: &mut above };
+    let mut receiver = Assembler::new(memory);
     let mut decoder = Decoder::<CAPACITY>::new();
-    let mut buffer = [0; 512];
-    while !receiver.is_complete() && stream.try_wait().unwrap().is_none() {
-        // Until the other program opens the device, reading fails.
-        let count = near.read(&mut buffer).unwrap_or(0);
-        let mut bytes = buffer.get(..count).unwrap();
+    while !receiver.is_complete() && stream.is_running() {
+        let bytes = pty.read();
+        let mut bytes = bytes.as_slice();
         while let Some(packet) = decoder.feed(&mut bytes) {
             receiver.accept(&packet.unwrap()).unwrap();
         }
     }
     let mut ack = [0; CONTROL_CAPACITY];
     let length = encode_ack(0, &mut ack).unwrap();
-    near.write_all(ack.get(..length).unwrap()).unwrap();
-    let output = stream.wait_with_output().unwrap();
-    assert!(output.status.success(), "{output:?}");
-    let message = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(!message.contains("not acknowledged"), "{message}");
+    pty.write(&mut stream, ack.get(..length).unwrap());
+    let output = stream.end();
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
     let levels: Vec<u8> = rendered(48, 36).iter().map(|pixel| pixel.0).collect();
     assert_eq!(receiver.pixels(), levels);
+}
+
+/// Nobody reads or answers: it ends all the same, and says so.
+#[test]
+fn stream_ends_if_nobody_is_there() {
+    let large = ["--size", "640x480", "--frames", "99", "--coding", "plain", "--format", "rgb565"];
+    for (more, code, hint) in [
+        (&["--frames", "99", "--size", "48x36"][..], 3, "gave up after 3 of 99 frames"),
+        (&large[..], 1, "nobody reads"),
+    ] {
+        let pty = Pty::new();
+        let output = Guarded::spawn(example("stream").args(["--port", &pty.name]).args(more)).end();
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(code), "{message}");
+        assert!(message.contains(hint), "{message}");
+    }
+}
+
+/// The reader takes some bytes, and is gone.
+#[test]
+fn stream_ends_if_the_reader_vanishes() {
+    let mut pty = Pty::new();
+    let arguments = ["--port", &pty.name, "--frames", "99"];
+    let mut stream = Guarded::spawn(example("stream").args(arguments));
+    let mut read = 0;
+    while read < 1000 && stream.is_running() {
+        read += pty.read().len();
+    }
+    drop(pty);
+    let output = stream.end();
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(1), "{message}");
+}
+
+#[test]
+fn a_line_without_a_way_back_needs_no_answers() {
+    let pty = Pty::new();
+    let arguments = ["--port", &pty.name, "--one-way", "--frames", "9", "--size", "48x36"];
+    let output = Guarded::spawn(example("stream").args(arguments)).end();
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
 }
 
 /// The example `bench` counts on boards what the set `benign` takes: its table is that set.

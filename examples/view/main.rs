@@ -4,12 +4,24 @@
 
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
+#[cfg(not(target_os = "none"))]
+mod args;
 #[cfg(target_os = "none")]
 #[path = "../board/mod.rs"]
 mod board;
 #[cfg(not(target_os = "none"))]
 #[path = "../host/mod.rs"]
 mod host;
+#[cfg(not(target_os = "none"))]
+mod ports;
+#[cfg(not(target_os = "none"))]
+mod replay;
+#[cfg(not(target_os = "none"))]
+mod save;
+#[cfg(not(target_os = "none"))]
+mod serve;
+#[cfg(not(target_os = "none"))]
+mod tap;
 #[cfg(not(target_os = "none"))]
 mod view;
 

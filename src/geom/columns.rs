@@ -4,6 +4,7 @@ use crate::scalar::Real;
 
 /// A pixel's column: its index, and its centre counted from the middle of the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Column {
     /// 0 at the left.
     pub index: u32,
@@ -19,6 +20,7 @@ pub(crate) fn signed(columns: u32) -> i32 {
 
 /// A number that changes by the same step from each half pixel to the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Affine<T> {
     /// In the middle of the row.
     pub middle: T,
@@ -59,6 +61,7 @@ impl<T: Real> Affine<T> {
 /// The columns, from `start` to before `end`, outside of which a solid can't be seen in a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Extent {
     /// The first column.
     pub start: u32,

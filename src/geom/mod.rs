@@ -4,6 +4,7 @@ mod affine;
 mod axis_line;
 mod columns;
 mod direction;
+pub(crate) mod hull;
 mod pose;
 mod ray;
 mod rays;

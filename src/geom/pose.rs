@@ -3,7 +3,7 @@
 use super::direction::{Axis, Direction, is_rounded};
 use super::ray::Line;
 use super::vec3::{Vec3, vec3};
-use crate::scalar::{Number, Real, Scalar};
+use crate::scalar::{ConstOps, Number, Real, Scalar, per_scalar};
 
 /// A rotation followed by a translation: where a solid's own frame lies in the scene.
 ///
@@ -17,6 +17,18 @@ use crate::scalar::{Number, Real, Scalar};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        try_from = "Parts<S>",
+        into = "Parts<S>",
+        bound(
+            serialize = "S: serde::Serialize, S::Unit: serde::Serialize",
+            deserialize = "S: serde::Deserialize<'de>, S::Unit: serde::Deserialize<'de>"
+        )
+    )
+)]
 pub struct Pose<S: Scalar> {
     /// The images of the three axes: an orthonormal, right-handed frame.
     axes: [Vec3<S::Unit>; 3],
@@ -32,6 +44,8 @@ crate::error_text! {
         TooFar => "the pose shifts too far for its number type",
         /// The axis of a turn is zero.
         ZeroAxis => "the axis of the turn is zero",
+        /// The axes of a pose that was deserialised are no right-handed frame of unit vectors.
+        NotRigid => "the axes of the pose are no right-handed frame of unit vectors",
     }
 }
 
@@ -247,6 +261,63 @@ impl<S: Scalar> Pose<S> {
     }
 }
 
+per_scalar! { $S: impl[] Pose<$S> {
+    /// Quarter turns about a coordinate axis, as many as `count`, in the direction of
+    /// [`rotation_x`](Self::rotation_x) and its like. It is exact, and there are no angles to be typed.
+    ///
+    /// ```
+    /// use scancsg::constant;
+    /// use scancsg::geom::{Axis, Pose, vec3};
+    ///
+    /// const UPRIGHT: Pose<f32> =
+    ///     constant!(Pose::<f32>::quarter_turns(Axis::Z, 1).shifted(vec3(0.0, 0.0, 3.0)));
+    /// assert_eq!(UPRIGHT.point(vec3(2.0, 0.0, 0.0)), vec3(0.0, 2.0, 3.0));
+    /// ```
+    #[must_use]
+    pub const fn quarter_turns(axis: Axis, count: i32) -> Self {
+        type Ops<S> = ConstOps<<S as Scalar>::Unit>;
+        let (zero, one) = (Ops::<$S>::ZERO, Ops::<$S>::ONE);
+        let minus = Ops::<$S>::difference(zero, one);
+        let (sin, cos) = match count.rem_euclid(4) {
+            0 => (zero, one),
+            1 => (one, zero),
+            2 => (zero, minus),
+            _ => (minus, zero),
+        };
+        let back = Ops::<$S>::difference(zero, sin);
+        let axes = match axis {
+            Axis::X => [[one, zero, zero], [zero, cos, sin], [zero, back, cos]],
+            Axis::Y => [[cos, zero, back], [zero, one, zero], [sin, zero, cos]],
+            Axis::Z => [[cos, sin, zero], [back, cos, zero], [zero, zero, one]],
+        };
+        let [[a, b, c], [d, e, f], [g, h, i]] = axes;
+        let axes = [vec3(a, b, c), vec3(d, e, f), vec3(g, h, i)];
+        Self { axes, translation: Vec3::ZERO }
+    }
+
+    /// Half a turn about a coordinate axis: exact.
+    #[must_use]
+    pub const fn half_turn(axis: Axis) -> Self {
+        Self::quarter_turns(axis, 2)
+    }
+
+    /// This pose first, then a shift: what [`then`](Self::then) does with a translation, for constants.
+    ///
+    /// # Errors
+    /// [`PoseError::NotFinite`], [`PoseError::TooFar`].
+    pub const fn shifted(self, by: Vec3<$S>) -> Result<Self, PoseError> {
+        type Ops<S> = ConstOps<S>;
+        let Vec3 { x, y, z } = self.translation;
+        let translation =
+            vec3(Ops::<$S>::sum(x, by.x), Ops::<$S>::sum(y, by.y), Ops::<$S>::sum(z, by.z));
+        match () {
+            () if !by.has_finite_coordinates() => Err(PoseError::NotFinite),
+            () if !translation.is_within_reach() => Err(PoseError::TooFar),
+            () => Ok(Self { axes: self.axes, translation }),
+        }
+    }
+} }
+
 impl<S: Scalar> Pose<S> {
     /// As [`line_back`](Self::line_back), with its parameter counted from about the point nearest to `near`,
     /// a point of the own frame; and the parameter there.
@@ -289,4 +360,45 @@ fn turn<S: Scalar>(angle: S) -> Result<Turn<S>, PoseError> {
     }
     let (sin, cos) = angle.wide().sin_cos();
     Ok((S::unit(sin), S::unit(cos), Pose::<S>::IDENTITY.axes))
+}
+
+/// A pose as it is serialised: with all its bits.
+#[cfg(feature = "serde")]
+#[derive(serde::Serialize, serde::Deserialize)]
+#[serde(bound(
+    serialize = "S: serde::Serialize, S::Unit: serde::Serialize",
+    deserialize = "S: serde::Deserialize<'de>, S::Unit: serde::Deserialize<'de>"
+))]
+struct Parts<S: Scalar> {
+    axes: [Vec3<S::Unit>; 3],
+    translation: Vec3<S>,
+}
+
+#[cfg(feature = "serde")]
+impl<S: Scalar> From<Pose<S>> for Parts<S> {
+    fn from(Pose { axes, translation }: Pose<S>) -> Self {
+        Self { axes, translation }
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<S: Scalar> TryFrom<Parts<S>> for Pose<S> {
+    type Error = PoseError;
+
+    fn try_from(Parts { axes, translation }: Parts<S>) -> Result<Self, PoseError> {
+        if !(translation.is_finite() && axes.iter().all(|axis| axis.is_finite())) {
+            return Err(PoseError::NotFinite);
+        }
+        let [x, y, z] = axes.map(|axis| axis.map(S::wide_unit));
+        // Poses are off by a few units of `f32`, or of 2⁻²⁸ in fixed point.
+        let bound = S::Wide::ONE / S::Wide::from_int(1 << 20);
+        let is_near = |(a, b, want): (Vec3<S::Wide>, _, _)| (a.dot(b) - want).abs() < bound;
+        let (zero, one) = (S::Wide::ZERO, S::Wide::ONE);
+        let products =
+            [(x, x, one), (y, y, one), (z, z, one), (x, y, zero), (y, z, zero), (z, x, zero)];
+        if !(products.into_iter().all(is_near) && x.cross(y).dot(z) > zero) {
+            return Err(PoseError::NotRigid);
+        }
+        Self { axes, translation }.checked()
+    }
 }

@@ -9,6 +9,7 @@ use crate::scalar::{Real, Rebased, Scalar};
 /// both keep the numbers in a range where the solids' formulas lose nothing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Line<S> {
     /// The point at t = 0.
     pub origin: Vec3<S>,

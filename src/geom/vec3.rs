@@ -6,6 +6,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// A vector or a point in space, in the units of the scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Vec3<S> {
     /// First coordinate.
     pub x: S,

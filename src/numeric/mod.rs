@@ -13,6 +13,7 @@ mod native;
 mod products;
 mod root;
 mod select;
+mod sine;
 
 pub(crate) use double::Double;
 pub(crate) use error_free::two_sum;
@@ -20,3 +21,4 @@ pub use native::{Loggable, Native};
 pub(crate) use products::{add_product, dot3, product_difference};
 pub(crate) use root::sqrt as const_sqrt;
 pub(crate) use select::{SATURATES_TO_I32, product, steps, unsigned_product};
+pub(crate) use sine::{sin_cos_of_part, sin_cos_of_quarters};

@@ -3,6 +3,7 @@
 mod cone;
 mod cuboid;
 mod cylinder;
+mod half_space;
 mod polyhedron;
 mod slab;
 mod sphere;
@@ -11,7 +12,8 @@ mod torus;
 pub use cone::{Cone, ConeError};
 pub use cuboid::{Cuboid, CuboidError};
 pub use cylinder::{Cylinder, CylinderError, CylinderWall, WallHit};
-pub use polyhedron::{HalfSpaceError, Polyhedron, PolyhedronError};
+pub use half_space::HalfSpaceError;
+pub use polyhedron::{Polyhedron, PolyhedronError};
 pub use slab::{Slab, SlabError};
 pub use sphere::{Sphere, SphereError};
 pub use torus::{Torus, TorusError};

@@ -9,6 +9,11 @@ use crate::span::{Face, Shape, SpanStack};
 /// Implement it for a solid of your own, wrap that in a [`ByLine`](crate::solid::ByLine), and it can be
 /// combined, traced and rendered like the crate's solids. There is an example at
 /// [`ByLine`](crate::solid::ByLine).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a solid",
+    label = "not a solid",
+    note = "all parts of a solid are solids, and of one number type"
+)]
 pub trait Solid: Shape {
     /// Pushes the spans of the line with the solid, in ascending order and regularised (every span
     /// has a length, and there is a gap between any two), with faces counted from `first` on.
@@ -65,6 +70,7 @@ pub trait Solid: Shape {
 /// Where a format has fewer bits, channels are rounded to the nearest level.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Rgb {
     /// Red, 0..=255.
     pub r: u8,

@@ -7,6 +7,7 @@ use crate::span::{Face, Span};
 /// What a ray sees of a solid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Hit<S> {
     /// The ray's parameter, ≥ 0; infinite where it is beyond the number type's range.
     pub t: S,
@@ -68,6 +69,7 @@ impl<S: Scalar> Hit<S> {
 /// The first surface that is seen from parameter `start` on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Seen<S> {
     /// The line's parameter.
     pub t: S,

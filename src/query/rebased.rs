@@ -8,7 +8,7 @@ use super::hit::{Seen, first_seen};
 use crate::geom::{Line, Ray};
 use crate::query::Solid;
 use crate::scalar::{Number, Real, Scalar};
-use crate::span::{Crossing, Face, Span, SpanList};
+use crate::span::{Crossing, Face, Span, SpanList, check_room};
 
 /// Fills the list with the spans of a line, in the line's own parameter.
 #[inline(always)]
@@ -17,9 +17,7 @@ pub(super) fn line_spans<T: Solid + ?Sized, const N: usize>(
     line: &Line<T::Scalar>,
     list: &mut SpanList<T::Scalar, N>,
 ) {
-    const {
-        assert!(N >= T::STACK, "the span list is too small: see Shape::STACK of the solid");
-    }
+    const { check_room(N, T::STACK) };
     solid.spans(line, Face(0), &mut list.stack());
 }
 

@@ -5,6 +5,11 @@ use crate::geom::{OrthographicRays, PerspectiveRays, Rays, Vec3};
 use crate::scalar::{Number, Real, Scalar};
 
 /// A camera that can hand out the rays of a picture.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a camera",
+    label = "not a camera",
+    note = "cameras are `Orthographic` and `Perspective`; a `Result` of their constructors needs `?` first"
+)]
 pub trait Camera {
     /// The kind of rays.
     type Rays: Rays;

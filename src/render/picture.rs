@@ -1,13 +1,13 @@
 //! Pictures and their scanlines: solid → view → row → pixels, without a frame buffer.
 
 use super::sample::Sample;
-use super::{Camera, Pixel, Shader, Size};
+use super::{Camera, Palette, Pixel, Shader, Size};
 use crate::geom::Rays;
 use crate::scalar::Scalar;
 use crate::scan::{ColumnRun, Empty, Scan};
 use crate::solid::{Rgb, Seen, Solid};
 use crate::span::walk::{Cold, Hot, Step};
-use crate::span::{Crossing, Face, Span, SpanList};
+use crate::span::{Crossing, Face, Span, SpanList, check_room};
 use core::ops::Range;
 
 /// A solid, looked at by a camera, ready to be rendered row by row in any order.
@@ -111,6 +111,12 @@ where
         self.size
     }
 
+    /// The colours of the solid's faces.
+    #[must_use]
+    pub fn palette(&self) -> Palette {
+        (0..T::FACES).map(|face| self.solid.color(Face(face)).unwrap_or(Rgb::WHITE)).collect()
+    }
+
     /// Does now what the first row would do otherwise: computes what the camera decides about every
     /// primitive. For those who want every row to take the same time.
     pub fn prepare(&mut self) {
@@ -148,6 +154,7 @@ fn from_middle(index: u32, count: u16) -> i32 {
 /// Columns next to each other that are rendered together.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Run {
     /// The columns.
     pub columns: Range<u16>,
@@ -249,9 +256,7 @@ where
         x: u16,
         list: &'l mut SpanList<R::Scalar, N>,
     ) -> &'l [Span<R::Scalar>] {
-        const {
-            assert!(N >= T::SPANS, "the span list is too small: see Shape::SPANS of the solid");
-        }
+        const { check_room(N, T::SPANS) };
         let column = u32::from(x);
         let (x, lowest) = (self.x(column), R::Scalar::LOWEST);
         let is_visible = self.enter(column).is_visible;

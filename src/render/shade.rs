@@ -10,6 +10,11 @@ use crate::solid::Solid;
 ///
 /// It is asked only for pixels that see a surface; the colour of the surface and the pixel format
 /// are applied to the level afterwards.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` doesn't shade parts whose numbers are `{S}`",
+    label = "no shader of this number type",
+    note = "a part, its camera, its light and its rays have one number type: all `f32`, say, or all `I16F16`"
+)]
 pub trait Shader<S: Scalar> {
     /// The level of a pixel.
     fn level<T, R>(&self, sample: Sample<'_, T, R>) -> u8

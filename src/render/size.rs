@@ -3,6 +3,11 @@
 /// Width and height of a picture in pixels; neither is zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "[u16; 2]", into = "[u16; 2]")
+)]
 pub struct Size {
     width: u16,
     height: u16,
@@ -38,5 +43,20 @@ impl Size {
     #[must_use]
     pub const fn height(self) -> u16 {
         self.height
+    }
+}
+
+/// Width and height.
+impl TryFrom<[u16; 2]> for Size {
+    type Error = SizeError;
+
+    fn try_from([width, height]: [u16; 2]) -> Result<Self, SizeError> {
+        Self::new(width, height)
+    }
+}
+
+impl From<Size> for [u16; 2] {
+    fn from(size: Size) -> Self {
+        [size.width, size.height]
     }
 }

@@ -1,11 +1,12 @@
 //! Pictures with smooth edges: n × n samples a pixel, but only where an edge is.
 
 use super::picture::{Picture, RowError, Scanline};
-use super::{Blend, Camera, Pixel, Shader, Size};
+use super::{Blend, Camera, Palette, Pixel, Shader, Size};
 use crate::geom::Rays;
 use crate::scan::{ColumnRun, Scan};
 use crate::solid::{Seen, Solid};
 use crate::span::Face;
+use core::ops::Range;
 
 /// What a smooth picture remembers of a column: of the corner at its left, and of the pixel before.
 #[derive(Clone, Copy)]
@@ -44,8 +45,8 @@ pub struct Smoothing<'m, P: Blend> {
     /// ones.
     grid: [Size; 2],
     columns: &'m mut [SmoothColumn<P>],
-    /// The row whose upper corners are known.
-    held: Option<u16>,
+    /// The row whose upper corners are known, and the columns of which they are.
+    held: Option<(u16, Range<u16>)>,
 }
 
 impl<'m, P: Blend> Smoothing<'m, P> {
@@ -74,6 +75,12 @@ impl<'m, P: Blend> Smoothing<'m, P> {
             return Err(SmoothError::Memory);
         }
         Ok(Self { size, samples, grid: [without, with], columns, held: None })
+    }
+
+    /// The steps from a corner to the next, and the corners of a run of pixels.
+    fn part(&mut self, run: &Range<u16>) -> (u32, &mut [SmoothColumn<P>]) {
+        let corners = usize::from(run.start)..=usize::from(run.end);
+        (2 * u32::from(self.samples), self.columns.get_mut(corners).unwrap_or_default())
     }
 }
 
@@ -163,6 +170,12 @@ where
         self.smoothing.size
     }
 
+    /// The colours of the solid's faces.
+    #[must_use]
+    pub fn palette(&self) -> Palette {
+        self.picture.palette()
+    }
+
     /// Renders row `y`, counted from the top, into `pixels`.
     ///
     /// A row's bits don't depend on which rows were rendered before. Only its time does: a row
@@ -172,61 +185,79 @@ where
     /// [`RowError::Index`], [`RowError::Range`], [`RowError::Length`] if `pixels` is not as long as the picture is wide;
     /// nothing is written then.
     pub fn render(&mut self, y: u16, pixels: &mut [P]) -> Result<(), RowError> {
+        self.render_run(y, 0..self.smoothing.size.width(), pixels)
+    }
+
+    /// Renders some columns of row `y`, as [`render`](Self::render) does all. Runs of the same columns share
+    /// corners with the row above.
+    ///
+    /// # Errors
+    /// As [`render`](Self::render), with `pixels` as long as there are columns.
+    pub fn render_run(
+        &mut self,
+        y: u16,
+        columns: Range<u16>,
+        pixels: &mut [P],
+    ) -> Result<(), RowError> {
         let Smoothing { size, samples, .. } = self.smoothing;
-        if y >= size.height() {
+        if y >= size.height() || columns.end > size.width() {
             return Err(RowError::Index);
         }
-        if pixels.len() != usize::from(size.width()) {
+        if pixels.len() != columns.len() {
             return Err(RowError::Length);
         }
+        if columns.is_empty() {
+            return Ok(());
+        }
         let top = y * 2 * samples;
-        if self.smoothing.held != Some(y) {
-            self.upper_corners(top)?;
+        if self.smoothing.held != Some((y, columns.clone())) {
+            self.upper_corners(top, &columns)?;
         }
         self.smoothing.held = None;
-        self.lower_corners(top + 2 * samples)?;
-        self.smoothing.held = Some(y + 1);
-        if self.middles(top + samples, pixels)? {
+        self.lower_corners(top + 2 * samples, &columns)?;
+        if self.middles(top + samples, &columns, pixels)? {
             for sample in 0..samples {
-                self.add_samples(top + 2 * sample + 1)?;
+                self.add_samples(top + 2 * sample + 1, &columns)?;
             }
-            self.means(pixels);
+            self.means(&columns, pixels);
         }
+        self.smoothing.held = Some((y + 1, columns));
         Ok(())
     }
 
     /// Notes what the corners above a row see.
-    fn upper_corners(&mut self, y: u16) -> Result<(), RowError> {
-        let Smoothing { samples, columns, .. } = &mut self.smoothing;
-        let (mut walk, mut x) = (Walk::new(self.picture.scanline(y)?), 0);
-        for column in &mut **columns {
+    fn upper_corners(&mut self, y: u16, run: &Range<u16>) -> Result<(), RowError> {
+        let (step, columns) = self.smoothing.part(run);
+        let (mut walk, mut x) = (Walk::new(self.picture.scanline(y)?), step * u32::from(run.start));
+        for column in columns {
             column.corner = face(walk.seen(x));
-            x += 2 * u32::from(*samples);
+            x += step;
         }
         Ok(())
     }
 
     /// Notes what the corners below a row see, and which pixels have corners that differ.
-    fn lower_corners(&mut self, y: u16) -> Result<(), RowError> {
-        let Smoothing { samples, columns, .. } = &mut self.smoothing;
-        let (mut walk, mut x) = (Walk::new(self.picture.scanline(y)?), 0);
+    fn lower_corners(&mut self, y: u16, run: &Range<u16>) -> Result<(), RowError> {
+        let (step, columns) = self.smoothing.part(run);
+        let (mut walk, mut x) = (Walk::new(self.picture.scanline(y)?), step * u32::from(run.start));
         let mut left = None;
-        for column in &mut **columns {
+        for column in columns {
             let lower = face(walk.seen(x));
             let both = (column.corner == lower).then_some(lower);
             column.is_edge = both.is_none() || both != left;
             column.corner = lower;
             left = both;
-            x += 2 * u32::from(*samples);
+            x += step;
         }
         Ok(())
     }
 
     /// Renders the pixels whose middle sees what their corners see. Returns whether there are
     /// others.
-    fn middles(&mut self, y: u16, pixels: &mut [P]) -> Result<bool, RowError> {
-        let Smoothing { samples, columns, .. } = &mut self.smoothing;
-        let (mut walk, mut x) = (Walk::new(self.picture.scanline(y)?), u32::from(*samples));
+    fn middles(&mut self, y: u16, run: &Range<u16>, pixels: &mut [P]) -> Result<bool, RowError> {
+        let (step, columns) = self.smoothing.part(run);
+        let (mut walk, mut x) =
+            (Walk::new(self.picture.scanline(y)?), step * u32::from(run.start) + step / 2);
         let mut has_edges = false;
         for (column, pixel) in columns.iter_mut().skip(1).zip(pixels) {
             if !column.is_edge {
@@ -240,32 +271,32 @@ where
                 column.sum = P::EMPTY;
                 has_edges = true;
             }
-            x += 2 * u32::from(*samples);
+            x += step;
         }
         Ok(has_edges)
     }
 
     /// Adds one row of samples to the edge pixels' sums.
-    fn add_samples(&mut self, y: u16) -> Result<(), RowError> {
-        let Smoothing { samples, columns, .. } = &mut self.smoothing;
-        let (mut walk, mut x) = (Walk::new(self.picture.scanline(y)?), 1);
+    fn add_samples(&mut self, y: u16, run: &Range<u16>) -> Result<(), RowError> {
+        let (step, columns) = self.smoothing.part(run);
+        let (mut walk, mut x) =
+            (Walk::new(self.picture.scanline(y)?), step * u32::from(run.start) + 1);
         for column in columns.iter_mut().skip(1) {
             if column.is_edge {
-                for sample in 0..u32::from(*samples) {
-                    let x = x + 2 * sample;
+                for x in (x..x + step).step_by(2) {
                     let seen = walk.seen(x);
                     walk.shaded(x, seen).add_to(&mut column.sum);
                 }
             }
-            x += 2 * u32::from(*samples);
+            x += step;
         }
         Ok(())
     }
 
     /// The edge pixels, when all samples are added up.
-    fn means(&self, pixels: &mut [P]) {
+    fn means(&mut self, run: &Range<u16>, pixels: &mut [P]) {
         let count = self.smoothing.samples.pow(2);
-        for (column, pixel) in self.smoothing.columns.iter().skip(1).zip(pixels) {
+        for (column, pixel) in self.smoothing.part(run).1.iter().skip(1).zip(pixels) {
             if column.is_edge {
                 *pixel = P::mean(column.sum, count);
             }

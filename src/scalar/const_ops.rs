@@ -10,6 +10,7 @@ pub(crate) struct ConstOps<S>(PhantomData<S>);
 
 impl<S: Number> ConstOps<S> {
     pub(crate) const ZERO: S = S::ZERO;
+    pub(crate) const ONE: S = S::ONE;
 }
 
 macro_rules! floats {

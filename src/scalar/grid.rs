@@ -3,6 +3,7 @@
 
 /// The numbers of a type among those of double precision.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Grid {
     /// `f32`.
     Single,

@@ -26,7 +26,7 @@ pub use number::{Number, Real};
 pub(crate) use scalar::Float;
 pub use scalar::{FixedPoint, Formula, Roots, Scalar};
 
-pub(crate) use crate::numeric::{Double, integer, two_sum};
+pub(crate) use crate::numeric::{Double, integer, sin_cos_of_part, two_sum};
 pub(crate) use const_ops::{ConstOps, normalized};
 pub(crate) use fixed::Fraction;
 pub(crate) use per_scalar::per_scalar;

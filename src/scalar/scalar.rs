@@ -188,6 +188,7 @@ impl<S: Native> Float for S {}
 
 /// Where a line is inside a solid, in the line's parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Roots<S> {
     /// Nowhere.
     Outside,

@@ -175,6 +175,7 @@ impl<S: Scalar> Empty for Span<S> {
 /// Every [`Leaf`] can be scanned.
 macro_rules! leaf {
     ([$($generics:tt)*] $Solid:ty) => {
+        #[diagnostic::do_not_recommend]
         impl<$($generics)*, R> $crate::scan::Scan<R> for $Solid
         where
             Self: $crate::scan::Leaf<R>,

@@ -27,6 +27,7 @@ impl<A: Empty, B: Empty> Empty for (A, B) {
 
 /// Columns in which nothing changes but the ray: from the one that was entered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ColumnRun {
     /// Whether the solid may be seen.
     pub is_visible: bool,
@@ -60,6 +61,14 @@ impl ColumnRun {
 ///
 /// [`contains`](Self::contains) and [`step`](Self::step) walk along the ray from crossing to crossing.
 /// The crossings are those of the merged list of all leaves' spans, bit for bit.
+#[diagnostic::on_unimplemented(
+    message = "a camera with the rays `{R}` can't take a picture of `{Self}`",
+    label = "no solid that this camera can see",
+    note = "a part, its camera, its light and its rays have one number type: all `f32`, say, or all `I16F16`",
+    note = "a function that takes any part asks for what pictures need: \
+            `part: &(impl Solid<Scalar = f32> + Scan<OrthographicRays<f32>>)`",
+    note = "a solid of your own is wrapped: `ByLine::<_, SPANS>::new(solid)`"
+)]
 pub trait Scan<R>: Shape {
     /// What the camera decides.
     type View: Empty;

@@ -35,9 +35,11 @@
 //!
 //! | solid | in constants, `T::<f32>::…` | for any number type, `T::<S>::…` |
 //! |---|---|---|
-//! | [`Cuboid`] | `new` | `between`, `of_size`, `around`, `rounded` |
-//! | [`Cylinder`] | `along_x`, `along_y`, `along_z`, `between`, `on` | `along`, `from_to`, `on_axis`, `capsule`, `ring` |
-//! | [`Cone`] | `along_x`, `along_y`, `along_z`, `between`, `on` | `along`, `from_to`, `on_axis` |
+//! | [`Cuboid`] | `new`, `spanning` | `between`, `of_size`, `around` |
+//! | [`Cylinder`] | `spanning`, `along_x`, `along_y`, `along_z`, `between`, `on`, `ring_along` | `along`, `from_to`, `on_axis`, `ring` |
+//! | [`Cone`] | `spanning`, `along_x`, `along_y`, `along_z`, `between`, `on` | `along`, `from_to`, `on_axis` |
+//! | [`Capsule`] | `new` | `Cylinder::capsule` |
+//! | [`RoundedCuboid`] | `new` | `Cuboid::rounded` |
 //! | [`Sphere`] | `new` | `around` |
 //! | [`Torus`] | `along_x`, `along_y`, `along_z`, `new` | `along`, `around` |
 //! | [`Slab`] | `along_x`, `along_y`, `along_z`, `new` | `across`, `facing` |

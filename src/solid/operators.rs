@@ -1,8 +1,8 @@
 //! The operators `|`, `&` and `-`, of every solid with any other.
 
 use super::{
-    Boolean, ByLine, Cone, Cuboid, Cylinder, HalfSpace, Many, Painted, Pipe, Placed, Polyhedron,
-    Scaled, Slab, Sphere, Torus,
+    Boolean, ByLine, Capsule, Cone, Cuboid, Cylinder, HalfSpace, Many, Painted, Pipe, Placed,
+    Polyhedron, RoundedCuboid, Scaled, Slab, Sphere, Torus,
 };
 use crate::scalar::Scalar;
 use crate::span::Shape;
@@ -14,7 +14,11 @@ macro_rules! operators {
         $crate::solid::operators! { Sub, sub, Difference, [$($generics)*] $Solid }
     )+};
     ($Operator:ident, $operator:ident, $Output:ident, [$($generics:tt)*] $Solid:ty) => {
-        impl<$($generics)*, Right> core::ops::$Operator<Right> for $Solid {
+        impl<$($generics)*, Right> core::ops::$Operator<Right> for $Solid
+        where
+            $Solid: $crate::span::Shape,
+            Right: $crate::span::Shape<Scalar = <$Solid as $crate::span::Shape>::Scalar>,
+        {
             type Output = $crate::solid::$Output<Self, Right>;
             fn $operator(self, right: Right) -> Self::Output {
                 $crate::solid::Boolean::new(self, right)
@@ -33,6 +37,8 @@ operators! {
     [S: Scalar] Slab<S>,
     [S: Scalar] Sphere<S>,
     [S: Scalar] Torus<S>,
+    [S: Scalar] Capsule<S>,
+    [S: Scalar] RoundedCuboid<S>,
     [S: Scalar, const SEGMENTS: usize] Pipe<S, SEGMENTS>,
     [T, const N: usize] ByLine<T, N>,
     [T, const N: usize] Many<T, N>,

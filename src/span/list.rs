@@ -180,16 +180,43 @@ impl<S> SpanStack<'_, S> {
     }
 }
 
+/// A list is logged as its spans.
+#[cfg(feature = "defmt")]
+mod logged {
+    use super::{SpanList, SpanStack};
+
+    impl<S: defmt::Format, const N: usize> defmt::Format for SpanList<S, N> {
+        fn format(&self, f: defmt::Formatter<'_>) {
+            defmt::write!(f, "{=[?]}", self.spans.as_slice());
+        }
+    }
+
+    impl<S: defmt::Format> defmt::Format for SpanStack<'_, S> {
+        fn format(&self, f: defmt::Formatter<'_>) {
+            defmt::write!(f, "{=[?]}", self.spans.as_slice());
+        }
+    }
+}
+
 /// A list of spans has no room left.
 ///
 /// It can't happen to the crate's own solids, whose need of room is a constant of their types.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StackFull;
+
+impl StackFull {
+    /// What is wrong, in a sentence.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        "the list of spans has no room left"
+    }
+}
 
 impl core::fmt::Display for StackFull {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str("the list of spans has no room left")
+        f.write_str(self.as_str())
     }
 }
 

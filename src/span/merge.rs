@@ -16,6 +16,7 @@ use crate::scalar::Scalar;
 ///
 /// Bit `left + 2·right` is set if the state belongs to the result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Operation(u8);
 
 impl Operation {

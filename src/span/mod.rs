@@ -8,6 +8,7 @@
 pub mod chain;
 mod list;
 mod merge;
+mod room;
 mod shape;
 #[allow(clippy::module_inception)]
 mod span;
@@ -15,5 +16,6 @@ pub mod walk;
 
 pub use list::{SpanList, SpanStack, StackFull};
 pub use merge::{Operation, merge};
+pub(crate) use room::check_room;
 pub use shape::Shape;
 pub use span::{Crossing, Face, Span};

@@ -5,6 +5,7 @@ use crate::scalar::Scalar;
 /// The number of a face among all faces of a solid, counted from its first primitive on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Face(pub u16);
 
 impl Face {
@@ -19,6 +20,7 @@ impl Face {
 /// Where a line passes through the surface of a solid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Crossing<S> {
     /// The parameter on the line. The lowest and highest values of the type mean that the solid
     /// goes on for ever: no surface is there.
@@ -35,6 +37,7 @@ impl<S: Scalar> Crossing<S> {
 /// A piece of a line inside a solid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Span<S> {
     /// Where the line enters.
     pub enter: Crossing<S>,

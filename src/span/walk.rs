@@ -11,6 +11,7 @@ use crate::scalar::Scalar;
 
 /// What lies behind some parameter of a ray.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Step<S> {
     /// Whether the ray is inside just behind the parameter.
     pub inside: bool,
@@ -41,10 +42,12 @@ pub trait Path: sealed::Sealed {
 
 /// The path of most pixels: inlined.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Hot {}
 
 /// The path of few pixels: a call.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Cold {}
 
 mod sealed {
@@ -63,6 +66,7 @@ impl Path for Cold {
 
 /// One of two operands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Side {
     /// The left one.
     Left,
@@ -182,7 +186,7 @@ fn step_inlined<S: Scalar>(mut of: impl Operands<S>, t: S) -> Step<S> {
     if operation.contains(true, in_right) {
         return Step { inside: false, next: left.next };
     }
-    of.outlined(t, |of, t| Step { inside: false, next: next_of_right(of, t) })
+    Step { inside: false, next: of.outlined(t, next_of_right) }
 }
 
 /// The first crossing behind `t`, where the ray is inside the left operand and the right one keeps it

@@ -7,6 +7,7 @@ use crate::scalar::Scalar;
 /// What to do with a parameter outside of a curve's domain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Outside {
     /// It is an error: [`EvaluateError::Outside`].
     Error,

@@ -2,7 +2,7 @@
 
 use crc::{CRC_32_ISO_HDLC, Crc, Digest, Table};
 
-use super::pixel::WirePixel;
+use super::pixel::{Units, WirePixel};
 
 // One table of 256 words: 1 KiB of flash, 0.4 % of a 256 KiB part, and no RAM. Without it every byte
 // takes eight shift-and-xor steps, and each pixel byte goes through two checksums; with the 16-lane
@@ -22,23 +22,23 @@ pub(super) const fn crc32(bytes: &[u8]) -> u32 {
     CRC.checksum(bytes)
 }
 
-/// The hash of one row, fed pixel by pixel: the CRC-32/ISO-HDLC (reflected polynomial 0xEDB88320, as in
-/// zlib) of the row's number `y` as a little-endian `u16`, then of the row's pixels as little-endian bytes.
+/// The hash of one row: the CRC-32/ISO-HDLC (reflected polynomial 0xEDB88320, as in zlib) of the row's
+/// number `y` as a little-endian `u16`, then of the row's bytes as they go over the link.
 ///
 /// ```
 /// use scancsg::render::Gray8;
 /// use scancsg::stream::RowHash;
 ///
 /// let mut hash = RowHash::new(3);
-/// hash.push(Gray8(10));
-/// hash.push(Gray8(20));
+/// hash.update(&[10]);
+/// hash.update(&[20]);
 /// assert_eq!(hash.finish(), RowHash::of(3, &[Gray8(10), Gray8(20)]));
 /// ```
 #[derive(Clone)]
 pub struct RowHash(Crc32);
 
 impl RowHash {
-    /// The hash of row `y` before its first pixel.
+    /// The hash of row `y` before its first byte.
     #[must_use]
     pub const fn new(y: u16) -> Self {
         let mut crc = crc32_start();
@@ -46,12 +46,7 @@ impl RowHash {
         Self(crc)
     }
 
-    /// Takes in the row's next pixel.
-    pub fn push<P: WirePixel>(&mut self, pixel: P) {
-        self.update(pixel.to_le_bytes().as_ref());
-    }
-
-    /// Takes in the row's next pixels, as the bytes that go over the link.
+    /// Takes in the row's next bytes.
     pub const fn update(&mut self, bytes: &[u8]) {
         self.0.update(bytes);
     }
@@ -66,8 +61,8 @@ impl RowHash {
     #[must_use]
     pub fn of<P: WirePixel>(y: u16, pixels: &[P]) -> u32 {
         let mut hash = Self::new(y);
-        for &pixel in pixels {
-            hash.push(pixel);
+        for unit in Units(pixels).iter() {
+            hash.update(unit.as_ref());
         }
         hash.finish()
     }

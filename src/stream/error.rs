@@ -1,12 +1,20 @@
 //! Why a packet can't be written, read or unpacked.
 
 crate::error_text! {
-    /// Why a packet could not be encoded. The buffer's contents are then meaningless.
+    /// Why a packet could not be made.
     pub enum EncodeError {
         /// The packet does not fit into the buffer: see [`packet_capacity`](super::packet_capacity).
         BufferTooSmall => "packet does not fit into the buffer",
         /// The frame or the row has no pixels, or the row has more than 65535.
         Size => "frame or row has no pixels, or too many",
+        /// No frame has been begun.
+        NoFrame => "no frame has been begun",
+        /// The pixels are not in the frame's format.
+        Format => "pixels are not in the frame's format",
+        /// The row is not as wide as the frame.
+        Width => "row is not as wide as the frame",
+        /// The row is not the one that is wanted: see [`Sender::poll`](super::Sender::poll).
+        Order => "row is not the one that is wanted",
     }
 }
 
@@ -45,5 +53,20 @@ crate::error_text! {
         TooLong => "row payload is longer than the row",
         /// The payload holds less than the row.
         TooShort => "row payload is shorter than the row",
+        /// The receiver lends no memory for the row above, or too little.
+        NoMemory => "receiver has no memory for rows that are coded together",
+    }
+}
+
+crate::error_text! {
+    /// How a line failed, without its own error: what [`scancsg::Error`](crate::Error) keeps of a
+    /// [`ServeError`](super::ServeError).
+    pub enum LineError {
+        /// Writing failed.
+        Write => "writing to the line failed",
+        /// Reading failed.
+        Read => "reading from the line failed",
+        /// The other end is closed.
+        Closed => "line is closed at its other end",
     }
 }

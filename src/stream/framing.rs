@@ -55,6 +55,51 @@ pub(super) fn seal(
     Ok(len + 1)
 }
 
+/// The most contents of a packet that is framed in its own buffer, checksum included: one COBS block.
+const BLOCK: usize = 254;
+
+/// The buffer of such a packet: with the code byte before it and the terminator behind it.
+pub(super) const IN_PLACE: usize = 1 + BLOCK + 1;
+
+/// The place of the contents of a packet that is framed in its own buffer: `limit` bytes, or as many as
+/// fit.
+pub(super) fn in_place(buffer: &mut [u8], limit: usize) -> &mut [u8] {
+    let room = buffer.len().min(IN_PLACE).saturating_sub(2 + CRC_LEN).min(limit);
+    buffer.get_mut(1..1 + room).unwrap_or_default()
+}
+
+/// Makes a packet of `start` and of the `len` bytes that are in the place of its contents behind that.
+/// Returns its size, terminator included.
+pub(super) fn seal_in_place(
+    buffer: &mut [u8],
+    start: &[u8],
+    len: usize,
+) -> Result<usize, EncodeError> {
+    let end = 1 + start.len().saturating_add(len);
+    let packet = buffer.get_mut(..end + CRC_LEN + 1).ok_or(EncodeError::BufferTooSmall)?;
+    if packet.len() > IN_PLACE {
+        return Err(EncodeError::BufferTooSmall);
+    }
+    packet.iter_mut().skip(1).zip(start).for_each(|(to, from)| *to = *from);
+    let crc = crc32(packet.get(1..end).unwrap_or_default()).to_le_bytes();
+    packet.iter_mut().skip(end).zip(crc).for_each(|(to, from)| *to = from);
+    // From the last byte to the first: each zero becomes the distance to the next one.
+    if let [contents @ .., terminator] = packet {
+        *terminator = 0;
+        if let Some(code) = contents.first_mut() {
+            *code = 0;
+        }
+        let mut distance = 1;
+        for byte in contents.iter_mut().rev() {
+            if *byte == 0 {
+                (*byte, distance) = (distance, 0);
+            }
+            distance += 1;
+        }
+    }
+    Ok(packet.len())
+}
+
 /// The contents of a packet that has been taken out of its COBS frame, if the checksum is right.
 pub(super) fn unseal(bytes: &[u8]) -> Result<&[u8], PacketError> {
     let (content, crc) = bytes.split_last_chunk().ok_or(PacketError::Length)?;

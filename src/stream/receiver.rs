@@ -1,309 +1,342 @@
-//! Packets into a frame, in the caller's memory, and what to ask for again.
+//! The receiving end, without I/O: bytes in, events and answers out.
 
-use core::fmt;
+use heapless::Vec;
 
-use super::codec::RowPayload;
-use super::crc::{FrameHash, RowHash};
-use super::error::UnpackError;
-use super::wire::{FrameHeader, Packet, Part, Request};
+use super::assembler::{Assembler, Event, Memory, ReceiveError};
+use super::decoder::Decoder;
+use super::error::{PacketError, UnpackError};
+use super::wire::{
+    FrameHeader, Packet, Part, REQUEST_CAPACITY, Request, encode_ack, encode_request,
+};
 
-/// Puts one frame at a time together.
+/// When a [`Receiver`] asks again, and when it gives up. A tick is what the caller counts, for example a
+/// millisecond.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Timing {
+    /// So long after the last packet in the middle of a frame, what is missing is asked for: longer than a
+    /// row takes to be rendered and sent. Then twice as long, up to eight times.
+    pub ask: u32,
+    /// So long after the last packet in the middle of a frame, the frame is given up.
+    pub give_up: u32,
+}
+
+/// What has come over the line so far.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Traffic {
+    /// Bytes.
+    pub bytes: u64,
+    /// Packets that could be read. None among many bytes: the line's speed is likely to be wrong.
+    pub packets: u64,
+    /// Packets that were damaged, or not what was expected.
+    pub bad_packets: u64,
+    /// Requests that were queued for the sender.
+    pub requests: u64,
+    /// The last packet that could not be read: how it was wrong.
+    pub last_error: Option<PacketError>,
+}
+
+/// So many answers can wait to be written. What doesn't fit is asked for later.
+const ANSWERS: usize = 8;
+/// The header of a frame is asked for again after so many of its packets.
+const STRAYS: u8 = 4;
+/// The most contents of a packet of rows that is asked for first; half of it each time it fails.
+const FIRST_LIMIT: u8 = 127;
+
+/// Receives frame after frame, and asks for what is missing: a state machine without I/O or clock.
 ///
-/// It holds no memory of its own: pixels and one flag per row are slices of the caller's, the largest
-/// frame that they can hold is the largest that is accepted.
+/// Give it what the line brings ([`receive`](Self::receive)), call [`poll`](Self::poll) now and then, and
+/// write what [`answer`](Self::answer) returns. It asks for rows as soon as a gap shows, acknowledges each
+/// complete frame, and gives up a frame that has fallen silent. Without a way back, don't call `answer`.
 ///
-/// A frame begins with its header. A header of another frame begins that one, whatever is missing of the
-/// old: the sender has moved on and could not repair it. A repeated header changes nothing. Rows may come
-/// in any order and more than once; the first copy counts.
+/// `N` is the size of the packet buffer: [`packet_capacity`](super::packet_capacity) of the frames to come.
+///
+/// ```
+/// use scancsg::render::{Gray8, Palette};
+/// use scancsg::stream::{
+///     Event, FrameHeader, Memory, Patience, PixelFormat, Plain, Receiver, Sender, Task, Timing,
+///     packet_capacity,
+/// };
+///
+/// const CAPACITY: usize = packet_capacity(4, PixelFormat::Gray8);
+/// let (mut pixels, mut rows) = ([0; 8], [false; 2]);
+/// let memory = Memory { pixels: &mut pixels, rows: &mut rows, above: &mut [] };
+/// let mut receiver = Receiver::<CAPACITY>::new(memory, Timing { ask: 400, give_up: 10_000 });
+///
+/// // The other end; see `Sender`.
+/// let mut sender = Sender::<_, CAPACITY>::new(Plain, Patience { ticks: 100, silences: 3 });
+/// let (format, palette) = (PixelFormat::Gray8, Palette::EMPTY);
+/// sender.begin(FrameHeader { frame: 1, width: 4, height: 2, format, palette })?;
+/// loop {
+///     match sender.poll(0) {
+///         Task::Row(y) => sender.row(y, &[Gray8(y as u8); 4])?,
+///         Task::Send(mut bytes) => {
+///             while let Some(event) = receiver.receive(&mut bytes, 0) {
+///                 if event == Event::Complete {
+///                     assert_eq!(receiver.frame().pixels(), [0, 0, 0, 0, 1, 1, 1, 1]);
+///                 }
+///             }
+///             sender.sent(0);
+///         }
+///         Task::Listen(_) => {
+///             let answer = receiver.answer().unwrap_or_default();
+///             answer.iter().for_each(|byte| sender.receive(*byte, 0));
+///         }
+///         Task::Done(_) => break,
+///     }
+/// }
+/// # Ok::<(), scancsg::stream::EncodeError>(())
+/// ```
 #[derive(Debug)]
-pub struct Receiver<'a> {
-    pixels: &'a mut [u8],
-    rows: &'a mut [bool],
-    header: Option<FrameHeader>,
-    /// Flags set in `rows`, and the sum of those rows' hashes.
-    received: u16,
-    hash: FrameHash,
-    /// The hash from the frame's end, if that came before the last row.
-    end: Option<FrameHash>,
-    complete: bool,
-    /// Packets of this frame have come, but not its header.
-    unknown: Option<u16>,
-    /// This frame's header has come and was no good: asking for it again would not help.
-    refused: Option<u16>,
+pub struct Receiver<'m, const N: usize> {
+    decoder: Decoder<N>,
+    frame: Assembler<'m>,
+    /// What the machine knows apart from buffers: this code exists once.
+    policy: Policy,
+    answer: [u8; REQUEST_CAPACITY],
 }
 
-/// What a packet meant for the frame.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum Event {
-    /// A frame has begun.
-    Started {
-        /// Its header.
-        header: FrameHeader,
-        /// The id of the frame before it, if that one was still incomplete and is lost now.
-        lost: Option<u16>,
-    },
-    /// A row has come.
-    Row {
-        /// Its number, 0 at the top.
-        y: u16,
-    },
-    /// All rows are here and the hash is right. Answer with [`encode_ack`](super::encode_ack).
-    ///
-    /// Comes in place of the last missing row's [`Event::Row`] when the end came before that row, and once
-    /// more for every repeated end, since then the acknowledgement was lost.
-    Complete,
-    /// The end has come, but rows are missing. Answer with [`Receiver::requests`].
-    Incomplete {
-        /// How many rows are missing.
-        missing: u16,
-    },
-    /// All rows are here, but they are not those that the sender had. Which ones are wrong cannot be told,
-    /// so all are missing again. Answer with [`Receiver::requests`].
-    HashMismatch,
-    /// This header or row is here already.
-    Repeated,
-    /// A packet of the back channel: nothing for a receiver.
-    Ignored,
+#[derive(Debug, Clone, Copy)]
+enum Answer {
+    Ack(u16),
+    Request(Request),
 }
 
-impl<'a> Receiver<'a> {
-    /// A receiver that waits for its first header.
-    ///
-    /// A frame needs `width · height · bytes_per_pixel` bytes of `pixels` and `height` flags of `rows`.
+#[derive(Debug)]
+struct Policy {
+    timing: Timing,
+    /// The last one is given first.
+    answers: Vec<Answer, ANSWERS>,
+    /// The row behind the last one of the sweep that has come.
+    expected: u16,
+    has_ended: bool,
+    /// There is no memory for the frame's rows.
+    is_beyond: bool,
+    limit: u8,
+    /// When the last packet came.
+    since: u32,
+    /// So long after that is asked next, and so long after that for the second time.
+    next: u32,
+    step: u32,
+    /// Nothing came for so long that it was given up.
+    is_silent: bool,
+    /// Packets of a frame without a header since that was asked for.
+    strays: u8,
+    traffic: Traffic,
+}
+
+impl<'m, const N: usize> Receiver<'m, N> {
+    /// A receiver that waits for its first frame.
     #[must_use]
-    pub const fn new(pixels: &'a mut [u8], rows: &'a mut [bool]) -> Self {
-        Self {
-            pixels,
-            rows,
-            header: None,
-            received: 0,
-            hash: FrameHash::new(),
-            end: None,
-            complete: false,
-            unknown: None,
-            refused: None,
-        }
+    pub const fn new(memory: Memory<'m>, timing: Timing) -> Self {
+        let policy = Policy {
+            timing,
+            answers: Vec::new(),
+            expected: 0,
+            has_ended: false,
+            is_beyond: false,
+            limit: FIRST_LIMIT,
+            since: 0,
+            next: 0,
+            step: 0,
+            is_silent: false,
+            strays: 0,
+            traffic: Traffic {
+                bytes: 0,
+                packets: 0,
+                bad_packets: 0,
+                requests: 0,
+                last_error: None,
+            },
+        };
+        let frame = Assembler::new(memory);
+        Self { decoder: Decoder::new(), frame, policy, answer: [0; REQUEST_CAPACITY] }
     }
 
-    /// Takes in one packet.
-    ///
-    /// # Errors
-    ///
-    /// [`ReceiveError`] if the packet does not belong to the frame or does not fit it. The frame is as it
-    /// was; requests may change, because a packet of an unknown frame is a reason to ask for its header.
-    pub fn accept(&mut self, packet: &Packet<'_>) -> Result<Event, ReceiveError> {
-        match *packet {
-            Packet::Header(header) => self.accept_header(header),
-            Packet::Row { frame, y, payload } => self.accept_row(frame, y, payload),
-            Packet::End { frame, hash } => self.accept_end(frame, hash),
-            Packet::Request(_) | Packet::Ack { .. } => Ok(Event::Ignored),
-        }
-    }
-
-    /// The header of the current frame.
+    /// The frame that is put together, or the last one.
     #[must_use]
-    pub const fn header(&self) -> Option<FrameHeader> {
-        self.header
+    pub const fn frame(&self) -> &Assembler<'m> {
+        &self.frame
     }
 
-    /// Whether all rows are here and the hash is right.
+    /// What has come over the line so far.
     #[must_use]
-    pub const fn is_complete(&self) -> bool {
-        self.complete
+    pub const fn traffic(&self) -> &Traffic {
+        &self.policy.traffic
     }
 
-    /// How many rows are here.
-    #[must_use]
-    pub const fn rows_received(&self) -> u16 {
-        self.received
+    /// Takes in bytes up to the first event, and leaves the rest in `bytes`. `None` when all have been taken
+    /// in. Write the [`answer`](Self::answer)s soon: the sender can repair rows between others.
+    pub fn receive(&mut self, bytes: &mut &[u8], now: u32) -> Option<Event> {
+        let available = bytes.len();
+        let event = loop {
+            let Some(packet) = self.decoder.feed(bytes) else { break None };
+            if let Some(event) = self.policy.take_in(packet, &mut self.frame, now) {
+                break Some(event);
+            }
+        };
+        let taken = available.saturating_sub(bytes.len());
+        self.policy.traffic.bytes = self.policy.traffic.bytes.wrapping_add(taken as u64);
+        event
     }
 
-    /// The pixels of the current frame, top row first, as little-endian bytes. Rows that are missing hold
-    /// what was there before; without a frame there are no pixels.
-    #[must_use]
-    pub fn pixels(&self) -> &[u8] {
-        let size = self.header.and_then(|header| header.frame_bytes());
-        self.pixels.get(..size.unwrap_or(0)).unwrap_or_default()
+    /// Looks at the clock: asks again, or gives the frame up ([`Event::Silent`]).
+    pub fn poll(&mut self, now: u32) -> Option<Event> {
+        self.policy.look(&self.frame, now)
     }
 
-    /// The pixels of row `y` (0 at the top), if it is here.
-    #[must_use]
-    pub fn row(&self, y: u16) -> Option<&[u8]> {
-        let header = self.header?;
-        // Flags past the frame's height are never set.
-        let here = *self.rows.get(usize::from(y))?;
-        let start = usize::from(y).checked_mul(header.row_bytes())?;
-        let row = self.pixels.get(start..)?.get(..header.row_bytes())?;
-        here.then_some(row)
+    /// The bytes of the next answer to the sender, if there is one. Each is given once: if it gets lost,
+    /// the sender's next end shows it.
+    pub fn answer(&mut self) -> Option<&[u8]> {
+        let len = match self.policy.answers.pop()? {
+            Answer::Ack(frame) => encode_ack(frame, &mut self.answer),
+            Answer::Request(request) => encode_request(request, &mut self.answer),
+        };
+        self.answer.get(..len.ok()?)
     }
+}
 
-    /// The numbers of the missing rows, from the top.
-    pub fn missing(&self) -> impl Iterator<Item = u16> + '_ {
-        let height = self.header.map_or(0, |header| header.height);
-        (0..height).zip(self.rows.iter()).filter(|(_, here)| !**here).map(|(y, _)| y)
-    }
-
-    /// What to ask the sender for: the header of a frame that is under way without one, or the missing
-    /// rows, or, with all rows here, the end. Nothing if the frame is complete or nothing is known.
-    ///
-    /// The receiver has no clock. The time to ask is after [`Event::Incomplete`] or
-    /// [`Event::HashMismatch`], and when the line has been quiet for longer than a row takes to be rendered
-    /// and sent: before, rows are "missing" that are yet to come.
-    pub fn requests(&self) -> impl Iterator<Item = Request> + '_ {
-        let header = self.unknown.map(|frame| Request { frame, part: Part::Header });
-        let current = self.header.filter(|_| self.unknown.is_none() && !self.complete);
-        let rows = current.into_iter().flat_map(|header| {
-            self.missing().map(move |y| Request { frame: header.frame, part: Part::Row(y) })
-        });
-        let end = current
-            .filter(|header| self.received == header.height)
-            .map(|header| Request { frame: header.frame, part: Part::End });
-        header.into_iter().chain(rows).chain(end)
-    }
-
-    fn accept_header(&mut self, header: FrameHeader) -> Result<Event, ReceiveError> {
-        if self.header == Some(header) {
-            self.unknown = None;
-            return Ok(Event::Repeated);
-        }
-        if let Err(error) = self.check(header) {
-            self.unknown = None;
-            self.refused = Some(header.frame);
-            return Err(error);
-        }
-        let lost = self.header.filter(|_| !self.complete).map(|old| old.frame);
-        self.header = Some(header);
-        self.unknown = None;
-        self.refused = None;
-        self.forget_rows();
-        Ok(Event::Started { header, lost })
-    }
-
-    /// Whether a frame can be taken in.
-    fn check(&self, header: FrameHeader) -> Result<(), ReceiveError> {
-        let fits = header.frame_bytes().is_some_and(|size| size <= self.pixels.len())
-            && usize::from(header.height) <= self.rows.len();
-        match () {
-            () if header.is_empty() => Err(ReceiveError::Size),
-            () if !fits => Err(ReceiveError::TooLarge),
-            () => Ok(()),
-        }
-    }
-
-    fn accept_row(
+impl Policy {
+    fn take_in(
         &mut self,
-        frame: u16,
-        y: u16,
-        payload: RowPayload<'_>,
-    ) -> Result<Event, ReceiveError> {
-        let header = self.frame_of(frame)?;
-        if y >= header.height {
-            return Err(ReceiveError::Row);
-        }
-        // That row and flag lie within the slices has been checked with the header.
-        let start = usize::from(y).saturating_mul(header.row_bytes());
-        let row = self
-            .pixels
-            .get_mut(start..)
-            .and_then(|rest| rest.get_mut(..header.row_bytes()))
-            .ok_or(ReceiveError::TooLarge)?;
-        let here = self.rows.get_mut(usize::from(y)).ok_or(ReceiveError::TooLarge)?;
-        if *here {
-            return Ok(Event::Repeated);
-        }
-        payload.unpack(header.format, row).map_err(ReceiveError::Payload)?;
-        *here = true;
-        let mut hash = RowHash::new(y);
-        hash.update(row);
-        self.hash.add(hash.finish());
-        self.received = self.received.saturating_add(1);
-        match self.end {
-            Some(hash) if self.received == header.height => Ok(self.conclude(hash)),
-            _ => Ok(Event::Row { y }),
-        }
-    }
-
-    fn accept_end(&mut self, frame: u16, hash: FrameHash) -> Result<Event, ReceiveError> {
-        let header = self.frame_of(frame)?;
-        if self.received == header.height {
-            return Ok(self.conclude(hash));
-        }
-        self.end = Some(hash);
-        Ok(Event::Incomplete { missing: header.height.saturating_sub(self.received) })
-    }
-
-    /// The current header, if a packet of frame `frame` belongs to it.
-    fn frame_of(&mut self, frame: u16) -> Result<FrameHeader, ReceiveError> {
-        match self.header {
-            Some(header) if header.frame == frame => {
-                self.unknown = None;
-                Ok(header)
+        packet: Result<Packet<'_>, PacketError>,
+        frame: &mut Assembler<'_>,
+        now: u32,
+    ) -> Option<Event> {
+        let packet = match packet {
+            Ok(packet) => packet,
+            Err(error) => {
+                self.traffic.bad_packets += 1;
+                self.traffic.last_error = Some(error);
+                return None;
             }
-            _ => {
-                if self.refused != Some(frame) {
-                    self.unknown = Some(frame);
+        };
+        self.traffic.packets += 1;
+        let event = match frame.accept(&packet) {
+            // What this end has said itself, as an echo: nobody is there for that.
+            Ok(Event::Ignored) => return None,
+            Ok(event) => event,
+            Err(ReceiveError::UnknownFrame) => {
+                if let Some(unknown) = frame.unknown() {
+                    self.stray(unknown, matches!(packet, Packet::End { .. }), now);
                 }
-                Err(ReceiveError::UnknownFrame)
+                return None;
+            }
+            Err(error) => {
+                self.traffic.bad_packets += 1;
+                self.is_beyond |= error == ReceiveError::Payload(UnpackError::NoMemory);
+                return Some(Event::Refused(error));
+            }
+        };
+        self.heard(now);
+        self.strays = 0;
+        if let Event::Started { .. } = event {
+            self.begin();
+        }
+        match packet {
+            Packet::Row { frame, y, .. } => self.rows(frame, y, 1),
+            Packet::Rows { frame, y, count, .. } => self.rows(frame, y, count.into()),
+            _ => {}
+        }
+        match event {
+            Event::Complete | Event::CompleteAgain => {
+                self.answers.clear();
+                if let Some(header) = frame.header() {
+                    self.put(Answer::Ack(header.frame));
+                }
+            }
+            // The sender has done all that it was asked for: what is missing now was lost.
+            Event::Incomplete { .. } | Event::HashMismatch => {
+                self.answers.clear();
+                self.ask_for_gaps(frame);
+            }
+            _ => {}
+        }
+        Some(event)
+    }
+
+    /// A packet of a frame without a header has come.
+    fn stray(&mut self, frame: u16, is_end: bool, now: u32) {
+        self.heard(now);
+        // At its first packet, some packets later, and whenever the sender is done. What is known of the
+        // current frame stays: these may be late packets of the one before it.
+        if self.strays == 0 || is_end {
+            self.answers.clear();
+            self.ask(frame, Part::Header);
+        }
+        self.strays = (self.strays + 1) % STRAYS;
+    }
+
+    /// The sender is there.
+    fn heard(&mut self, now: u32) {
+        let Timing { ask, .. } = self.timing;
+        (self.since, self.next, self.step, self.is_silent) = (now, ask, ask, false);
+    }
+
+    fn begin(&mut self) {
+        self.answers.clear();
+        (self.expected, self.has_ended, self.limit) = (0, false, FIRST_LIMIT);
+        self.is_beyond = false;
+    }
+
+    /// Rows have come: if they are not the next ones, those between are lost.
+    fn rows(&mut self, frame: u16, y: u16, count: u16) {
+        if y > self.expected && !self.has_ended {
+            let count = y - self.expected;
+            self.ask(frame, Part::Rows { y: self.expected, count, limit: self.limit });
+        }
+        self.expected = self.expected.max(y.saturating_add(count));
+    }
+
+    fn ask_for_gaps(&mut self, frame: &Assembler<'_>) {
+        let Some(FrameHeader { frame: id, .. }) = frame.header() else { return };
+        for (y, count) in frame.gaps().take(ANSWERS) {
+            self.ask(id, Part::Rows { y, count, limit: self.limit });
+        }
+        if self.has_ended {
+            self.limit /= 2;
+        }
+        self.has_ended = true;
+    }
+
+    fn ask(&mut self, frame: u16, part: Part) {
+        // To ask for rows that can't be taken in would never end.
+        if self.is_beyond && part != Part::Header {
+            return;
+        }
+        self.put(Answer::Request(Request { frame, part }));
+        self.traffic.requests += 1;
+    }
+
+    fn put(&mut self, answer: Answer) {
+        // What finds no place is asked for at the frame's end.
+        let _ = self.answers.push(answer);
+    }
+
+    fn look(&mut self, frame: &Assembler<'_>, now: u32) -> Option<Event> {
+        let unknown = frame.unknown();
+        let current = frame.header().filter(|_| !frame.is_complete());
+        let id = unknown.or(current.map(|header| header.frame)).filter(|_| !self.is_silent)?;
+        let quiet = now.wrapping_sub(self.since);
+        if quiet >= self.timing.give_up {
+            self.is_silent = true;
+            return Some(Event::Silent { frame: id });
+        }
+        if quiet >= self.next {
+            self.step = self.step.saturating_mul(2).min(self.timing.ask.saturating_mul(8));
+            self.next = quiet.saturating_add(self.step);
+            self.answers.clear();
+            // Either may be the sender's frame now: it ignores what is not.
+            if let Some(unknown) = unknown {
+                self.ask(unknown, Part::Header);
+            }
+            match current {
+                Some(_) if frame.missing().next().is_some() => self.ask_for_gaps(frame),
+                Some(header) => self.ask(header.frame, Part::End),
+                None => {}
             }
         }
-    }
-
-    /// Compares the hashes when all rows are here.
-    fn conclude(&mut self, hash: FrameHash) -> Event {
-        if hash == self.hash {
-            self.complete = true;
-            return Event::Complete;
-        }
-        self.forget_rows();
-        Event::HashMismatch
-    }
-
-    fn forget_rows(&mut self) {
-        self.rows.fill(false);
-        self.received = 0;
-        self.hash = FrameHash::new();
-        self.end = None;
-        self.complete = false;
+        None
     }
 }
-
-/// Why a packet was not taken in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum ReceiveError {
-    /// The header's frame has no pixels.
-    Size,
-    /// The header's frame does not fit into the receiver's slices.
-    TooLarge,
-    /// The packet is of a frame whose header has not been accepted.
-    UnknownFrame,
-    /// The frame has no row of this number.
-    Row,
-    /// The row's pixels are not one row of the frame.
-    Payload(UnpackError),
-}
-
-impl ReceiveError {
-    /// The error in words.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Size => "frame has no pixels",
-            Self::TooLarge => "frame does not fit into the receiver's memory",
-            Self::UnknownFrame => "packet of a frame without a header",
-            Self::Row => "frame has no row of this number",
-            Self::Payload(error) => error.as_str(),
-        }
-    }
-}
-
-impl fmt::Display for ReceiveError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.as_str())
-    }
-}
-
-impl core::error::Error for ReceiveError {}

@@ -1,271 +1,510 @@
-//! Frames into a writer, row by row, with repairs.
+//! The sending end, without I/O: rows in, packets out, requests in.
 
-use core::fmt;
+use heapless::Vec;
 
-use embedded_io::Write;
-
+use super::codec::{Coding, RowCoding};
 use super::crc::{FrameHash, RowHash};
+use super::decoder::Decoder;
 use super::error::EncodeError;
-use super::pixel::WirePixel;
-use super::wire::{FrameHeader, encode_end, encode_header, encode_row, packet_capacity};
-use crate::render::RowError;
+use super::pixel::{Wire, WirePixel};
+use super::wire::{
+    FrameHeader, Packet, Part, REQUEST_CAPACITY, Request, encode_end, encode_header, encode_row,
+    row_capacity, rows_payload, seal_rows,
+};
 
-/// Sends frames row by row.
+/// How long a [`Sender`] waits for answers.
 ///
-/// `N` is the size of its packet buffer in bytes: [`packet_capacity`] of the widest frame to come.
-/// Nothing is kept of a row: to send it again, render it again.
-///
-/// Each packet is one [`write_all`](Write::write_all). When a write fails, the sender's state is as it was
-/// before the call, so that the call can be repeated; since a part of the packet may be on the line, the
-/// next packet then goes out behind a zero byte, which cuts that part off.
-pub struct Sender<W, const N: usize> {
-    writer: W,
-    packet: [u8; N],
-    frame: Option<Frame>,
-    bytes_sent: u64,
-    /// A write has failed, perhaps in the middle of a packet.
-    cut: bool,
+/// A tick is what the caller counts: a millisecond of a timer, or a look at the line that found nothing
+/// ([`serve`](super::serve)).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Patience {
+    /// The longest time without an answer until the frame's end is sent again. The sender begins with
+    /// a short one: some times what the other end took to answer before.
+    pub ticks: u32,
+    /// After so many times [`ticks`](Self::ticks) without an answer, the frame counts as unheard. 0 is for
+    /// lines without a way back: a frame is over with its end.
+    pub silences: u16,
 }
 
-#[derive(Clone, Copy)]
-struct Frame {
-    header: FrameHeader,
+/// How a frame ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Delivery {
+    /// The other end has the whole frame.
+    Acknowledged {
+        /// How many things it has asked for again.
+        repairs: u16,
+    },
+    /// The other end said nothing for as long as there was [`Patience`]: nobody is there, or can't answer.
+    Unheard,
+}
+
+/// What a [`Sender`] wants next.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Task<'a> {
+    /// Write these bytes, then call [`Sender::sent`].
+    Send(&'a [u8]),
+    /// Give the pixels of this row to [`Sender::row`]. The same row may be wanted twice, one time after
+    /// the other: keep it until another one is wanted, and it is rendered once.
+    Row(u16),
+    /// Flush the line, and listen for so many ticks.
+    Listen(u32),
+    /// The frame is over.
+    Done(Delivery),
+}
+
+/// The fewest bytes of contents that a packet of several rows is limited to.
+const MIN_LIMIT: u8 = 31;
+/// The most.
+const MAX_LIMIT: u8 = 254;
+/// So many ranges of rows can wait to be sent again. What doesn't fit is asked for once more.
+const REPAIRS: usize = 8;
+
+/// Sends frames row by row, and repairs them: a state machine without I/O or clock.
+///
+/// Use it where [`serve`](super::serve) and [`serve_async`](super::serve_async) don't fit, as in an
+/// interrupt handler. [`poll`](Self::poll) says what to do next, [`receive`](Self::receive) takes what
+/// the other end says. Nothing is kept of a row: to send it again, it is rendered again.
+///
+/// `C` says how rows are coded: [`Plain`](super::Plain), each for itself, or
+/// [`Predictive`](super::Predictive), several in a packet and much shorter. `N` is the size of the packet
+/// buffer in bytes: [`row_capacity`] of the widest frame to come, better
+/// [`packet_capacity`](super::packet_capacity) for several rows in a packet.
+///
+/// ```
+/// use scancsg::render::{Gray8, Palette};
+/// use scancsg::stream::{
+///     Delivery, FrameHeader, Patience, PixelFormat, Plain, Sender, Task, encode_ack, row_capacity,
+/// };
+///
+/// const CAPACITY: usize = row_capacity(4, PixelFormat::Gray8);
+/// let mut sender = Sender::<_, CAPACITY>::new(Plain, Patience { ticks: 100, silences: 3 });
+/// let (format, palette) = (PixelFormat::Gray8, Palette::EMPTY);
+/// sender.begin(FrameHeader { frame: 1, width: 4, height: 2, format, palette })?;
+///
+/// let mut line = Vec::new();
+/// let delivery = loop {
+///     match sender.poll(0) {
+///         Task::Send(bytes) => {
+///             line.extend_from_slice(bytes);
+///             sender.sent(0);
+///         }
+///         Task::Row(y) => sender.row(y, &[Gray8(y as u8); 4])?,
+///         Task::Listen(_) => {
+///             // The other end answers.
+///             let mut answer = [0; 16];
+///             let length = encode_ack(1, &mut answer)?;
+///             answer[..length].iter().for_each(|byte| sender.receive(*byte, 0));
+///         }
+///         Task::Done(delivery) => break delivery,
+///     }
+/// };
+/// assert_eq!(delivery, Delivery::Acknowledged { repairs: 0 });
+/// # Ok::<(), scancsg::stream::EncodeError>(())
+/// ```
+#[derive(Debug)]
+pub struct Sender<C, const N: usize> {
+    coding: C,
+    packet: [u8; N],
+    /// What the machine knows apart from buffers: this code exists once.
+    state: State,
+    decoder: Decoder<REQUEST_CAPACITY>,
+}
+
+/// Rows that go into one packet.
+#[derive(Debug, Clone, Copy)]
+struct Open {
+    y: u16,
+    count: u8,
+    is_repair: bool,
+}
+
+/// Rows that were asked for again.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Repair {
+    next: u16,
+    end: u16,
+    limit: u8,
+}
+
+#[derive(Debug)]
+struct State {
+    patience: Patience,
+    header: Option<FrameHeader>,
+    /// So many bytes of the packet buffer wait to be written.
+    ready: usize,
+    open: Option<Open>,
     /// The next row of the sweep; as many have been sent and hashed.
     next: u16,
+    /// So many of them are on the line, and not only in a packet.
+    written: u16,
     hash: FrameHash,
-    ended: bool,
+    /// The last one is served first.
+    repairs: Vec<Repair, REPAIRS>,
+    header_due: bool,
+    end_due: bool,
+    /// The packet that waits to be written is the frame's end.
+    is_end: bool,
+    /// When the end was sent.
+    since: u32,
+    /// The first answer to a frame's first end shows what the other end takes. Those behind it came with
+    /// it, or answer an earlier end.
+    is_timed: bool,
+    has_ended: bool,
+    /// Ticks without an answer before that.
+    silent: u64,
+    tries: u8,
+    /// What the other end takes to answer, if it has.
+    round_trip: Option<u32>,
+    /// The most contents of a packet of several rows. Errors make it smaller, frames larger.
+    limit: u8,
+    asked: u16,
+    delivery: Option<Delivery>,
+    bytes_sent: u64,
 }
 
-impl<W, const N: usize> Sender<W, N> {
+impl<C, const N: usize> Sender<C, N> {
     /// A sender with no frame begun.
     #[must_use]
-    pub const fn new(writer: W) -> Self {
-        Self { writer, packet: [0; N], frame: None, bytes_sent: 0, cut: false }
+    pub const fn new(coding: C, patience: Patience) -> Self {
+        Self { coding, packet: [0; N], state: State::new(patience), decoder: Decoder::new() }
     }
 
     /// The header of the frame that was begun last.
     #[must_use]
-    pub fn header(&self) -> Option<FrameHeader> {
-        self.frame.map(|frame| frame.header)
+    pub const fn header(&self) -> Option<FrameHeader> {
+        self.state.header
     }
 
-    /// The bytes of all packets that the writer has taken whole, and of zeros before packets.
+    /// The bytes of all packets that were sent.
     #[must_use]
     pub const fn bytes_sent(&self) -> u64 {
-        self.bytes_sent
+        self.state.bytes_sent
     }
 
-    /// The writer. What is written past the sender should end with a zero byte.
-    pub const fn writer_mut(&mut self) -> &mut W {
-        &mut self.writer
+    /// Takes in a byte that the other end sent.
+    pub fn receive(&mut self, byte: u8, now: u32) {
+        // What can't be read is asked for again by the other end.
+        match self.decoder.push(byte) {
+            Some(Ok(Packet::Ack { frame })) => self.state.acknowledge(frame, now),
+            Some(Ok(Packet::Request(request))) => self.state.ask(request, now),
+            _ => {}
+        }
     }
 
-    /// The writer, when the sender is no longer needed.
-    #[must_use]
-    pub fn into_inner(self) -> W {
-        self.writer
+    /// The bytes of [`Task::Send`] are written.
+    pub fn sent(&mut self, now: u32) {
+        self.state.sent(now);
     }
 }
 
-impl<W: Write, const N: usize> Sender<W, N> {
-    /// Begins a frame and sends its header. A frame that was under way is abandoned.
+impl<C: Coding, const N: usize> Sender<C, N> {
+    /// Begins a frame. One that was under way is abandoned.
     ///
     /// # Errors
     ///
-    /// [`SendError::Encode`] if the frame has no pixels or `N` is too small for its rows;
-    /// [`SendError::Io`].
-    pub fn begin(&mut self, header: FrameHeader) -> Result<(), SendError<W::Error>> {
+    /// [`EncodeError::Size`] if the frame has no pixels; [`EncodeError::BufferTooSmall`] if `N` is less
+    /// than [`row_capacity`].
+    pub fn begin(&mut self, header: FrameHeader) -> Result<(), EncodeError> {
+        if header.is_empty() {
+            return Err(EncodeError::Size);
+        }
         // Now, and not at the first row that happens not to be compressible.
-        if packet_capacity(header.width, header.format) > N {
-            return Err(SendError::Encode(EncodeError::BufferTooSmall));
+        if row_capacity(header.width, header.format) > N {
+            return Err(EncodeError::BufferTooSmall);
         }
-        self.send_header(header)?;
-        self.frame = Some(Frame { header, next: 0, hash: FrameHash::new(), ended: false });
+        self.coding.begin_frame(&header.palette);
+        self.state.begin(header);
         Ok(())
     }
 
-    /// Sends the frame's next row; `y` counts up from 0.
-    ///
-    /// # Errors
-    ///
-    /// [`SendError::NoFrame`], [`SendError::Format`], [`SendError::Width`], [`SendError::Row`] or
-    /// [`SendError::Order`] if this is not the frame's next row; [`SendError::Io`].
-    pub fn row<P: WirePixel>(&mut self, y: u16, pixels: &[P]) -> Result<(), SendError<W::Error>> {
-        let mut frame = self.frame_of(y, pixels)?;
-        // The sum of the hashes is right only if every row is in it once.
-        if y != frame.next {
-            return Err(SendError::Order);
+    /// What to do next.
+    pub fn poll(&mut self, now: u32) -> Task<'_> {
+        if self.state.ready == 0 && self.state.is_packet_full() {
+            self.seal();
         }
-        self.send_row(frame.header.frame, y, pixels)?;
-        frame.hash.add(RowHash::of(y, pixels));
-        frame.next = frame.next.saturating_add(1);
-        self.frame = Some(frame);
-        Ok(())
-    }
-
-    /// Sends row `y` once more, because it was asked for. Rows may come in any order; they do not count
-    /// in the frame's hash.
-    ///
-    /// # Errors
-    ///
-    /// As [`row`](Self::row), without [`SendError::Order`].
-    pub fn resend_row<P: WirePixel>(
-        &mut self,
-        y: u16,
-        pixels: &[P],
-    ) -> Result<(), SendError<W::Error>> {
-        let frame = self.frame_of(y, pixels)?;
-        self.send_row(frame.header.frame, y, pixels)
-    }
-
-    /// Sends the header once more, because it was asked for. The frame goes on as it was.
-    ///
-    /// # Errors
-    ///
-    /// [`SendError::NoFrame`]; [`SendError::Io`].
-    pub fn header_again(&mut self) -> Result<(), SendError<W::Error>> {
-        let frame = self.frame.ok_or(SendError::NoFrame)?;
-        self.send_header(frame.header)
-    }
-
-    /// Ends the frame: sends the hash of its rows and flushes the writer.
-    ///
-    /// # Errors
-    ///
-    /// [`SendError::NoFrame`]; [`SendError::RowsLeft`] if not all rows have been sent; [`SendError::Io`].
-    pub fn end(&mut self) -> Result<(), SendError<W::Error>> {
-        let mut frame = self.frame.ok_or(SendError::NoFrame)?;
-        if frame.next < frame.header.height {
-            return Err(SendError::RowsLeft);
-        }
-        let len = encode_end(frame.header.frame, frame.hash, &mut self.packet)
-            .map_err(SendError::Encode)?;
-        self.transmit(len)?;
-        self.writer.flush().map_err(SendError::Io)?;
-        frame.ended = true;
-        self.frame = Some(frame);
-        Ok(())
-    }
-
-    /// Sends the end once more, because it was asked for or no acknowledgement has come.
-    ///
-    /// # Errors
-    ///
-    /// [`SendError::NoFrame`]; [`SendError::NotEnded`] if [`end`](Self::end) has not succeeded yet, so that
-    /// a request in mid-frame does not end it; [`SendError::Io`].
-    pub fn end_again(&mut self) -> Result<(), SendError<W::Error>> {
-        let frame = self.frame.ok_or(SendError::NoFrame)?;
-        if !frame.ended {
-            return Err(SendError::NotEnded);
-        }
-        self.end()
-    }
-
-    /// The frame, if these pixels can be its row `y`.
-    fn frame_of<P: WirePixel>(&self, y: u16, pixels: &[P]) -> Result<Frame, SendError<W::Error>> {
-        let frame = self.frame.ok_or(SendError::NoFrame)?;
-        match () {
-            () if P::FORMAT != frame.header.format => Err(SendError::Format),
-            () if pixels.len() != usize::from(frame.header.width) => Err(SendError::Width),
-            () if y >= frame.header.height => Err(SendError::Row),
-            () => Ok(frame),
+        let wanted = self.state.poll(&mut self.packet, now);
+        match wanted {
+            Wanted::Packet => Task::Send(self.packet.get(..self.state.ready).unwrap_or_default()),
+            Wanted::Row(y) => Task::Row(y),
+            Wanted::Silence(ticks) => Task::Listen(ticks),
+            Wanted::Nothing(delivery) => Task::Done(delivery),
         }
     }
 
-    fn send_header(&mut self, header: FrameHeader) -> Result<(), SendError<W::Error>> {
-        let len = encode_header(header, &mut self.packet).map_err(SendError::Encode)?;
-        self.transmit(len)
+    /// Makes a packet of the rows that have been coded.
+    fn seal(&mut self) {
+        let Some((header, Open { y, count, .. })) = self.state.close() else { return };
+        let len = self.coding.finish(rows_payload(&mut self.packet, MAX_LIMIT.into()));
+        // The payload is in its place, so that there is room for the packet.
+        self.state.ready =
+            seal_rows(header.frame, y, count, len, &mut self.packet).unwrap_or_default();
     }
 
-    fn send_row<P: WirePixel>(
-        &mut self,
-        frame: u16,
-        y: u16,
-        pixels: &[P],
-    ) -> Result<(), SendError<W::Error>> {
-        let len = encode_row(frame, y, pixels, &mut self.packet).map_err(SendError::Encode)?;
-        self.transmit(len)
-    }
-
-    /// Writes the first `len` bytes of the packet buffer.
-    fn transmit(&mut self, len: usize) -> Result<(), SendError<W::Error>> {
-        if self.cut {
-            self.writer.write_all(&[0]).map_err(SendError::Io)?;
-            self.bytes_sent = self.bytes_sent.wrapping_add(1);
+    /// Takes the pixels of the row that [`poll`](Self::poll) wants. It may want the same row again.
+    ///
+    /// # Errors
+    ///
+    /// [`EncodeError::NoFrame`], [`EncodeError::Format`], [`EncodeError::Width`] or
+    /// [`EncodeError::Order`] if this is not the row that is wanted: one that has been asked for since
+    /// [`poll`](Self::poll) may be wanted before it. Nothing has changed then: poll again.
+    pub fn row<P: WirePixel>(&mut self, y: u16, pixels: &[P]) -> Result<(), EncodeError>
+    where
+        C: RowCoding<P>,
+    {
+        let Target { header, is_repair, limit } = self.state.target(y)?;
+        if P::Wire::FORMAT != header.format {
+            return Err(EncodeError::Format);
         }
-        let packet = self.packet.get(..len).unwrap_or_default();
-        self.cut = true;
-        self.writer.write_all(packet).map_err(SendError::Io)?;
-        self.cut = false;
-        self.bytes_sent = self.bytes_sent.wrapping_add(packet.len() as u64);
+        if pixels.len() != usize::from(header.width) {
+            return Err(EncodeError::Width);
+        }
+        if self.state.open.is_none() {
+            self.coding.begin();
+        }
+        let open = self.state.open.unwrap_or(Open { y, count: 0, is_repair });
+        let payload = rows_payload(&mut self.packet, limit.into());
+        let fits = open.is_followed_by(y, is_repair) && self.coding.push(pixels, payload);
+        match (fits, open.count) {
+            (true, count) => self.state.open = Some(Open { count: count + 1, ..open }),
+            (false, 0) => {
+                self.state.open = None;
+                self.state.ready = encode_row(header.frame, y, pixels, &mut self.packet)?;
+            }
+            (false, _) => {
+                self.seal();
+                return Ok(());
+            }
+        }
+        self.state.row_taken(is_repair, || RowHash::of(y, pixels));
         Ok(())
     }
 }
 
-/// Why something could not be sent. The sender's state is as it was.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum SendError<E> {
-    /// The writer failed.
-    Io(E),
-    /// The packet cannot be encoded.
-    Encode(EncodeError),
-    /// No frame has been begun.
-    NoFrame,
-    /// The pixels are not in the frame's format.
-    Format,
-    /// The row is not as wide as the frame.
-    Width,
-    /// The frame has no row of this number.
-    Row,
-    /// The row is not the next one.
-    Order,
-    /// Not all rows have been sent.
-    RowsLeft,
-    /// The frame has not been ended.
-    NotEnded,
-    /// The row can't be rendered.
-    Render(RowError),
-    /// The line failed while answers were listened for.
-    Listen(E),
-    /// No more answers can come: the line's other end is closed.
-    Closed,
+impl Open {
+    /// Whether row `y` can be in the same packet.
+    fn is_followed_by(self, y: u16, is_repair: bool) -> bool {
+        self.is_repair == is_repair
+            && self.count < u8::MAX
+            && self.y.checked_add(self.count.into()) == Some(y)
+    }
 }
 
-impl<E> SendError<E> {
-    /// The error in words. Of a line's own error only that there is one:
-    /// [`source`](core::error::Error::source) has the rest.
-    #[must_use]
-    pub const fn as_str(&self) -> &'static str {
-        match self {
-            Self::Io(_) => "writer failed",
-            Self::Encode(error) => error.as_str(),
-            Self::NoFrame => "no frame has been begun",
-            Self::Format => "pixels are not in the frame's format",
-            Self::Width => "row is not as wide as the frame",
-            Self::Row => "frame has no row of this number",
-            Self::Order => "row is not the next one",
-            Self::RowsLeft => "not all rows have been sent",
-            Self::NotEnded => "frame has not been ended",
-            Self::Render(error) => error.as_str(),
-            Self::Listen(_) => "reader failed",
-            Self::Closed => "line is closed at its other end",
+/// What is next.
+enum Wanted {
+    Packet,
+    Row(u16),
+    Silence(u32),
+    Nothing(Delivery),
+}
+
+/// A row that is wanted.
+struct Target {
+    header: FrameHeader,
+    is_repair: bool,
+    limit: u8,
+}
+
+impl State {
+    const fn new(patience: Patience) -> Self {
+        Self {
+            patience,
+            header: None,
+            ready: 0,
+            open: None,
+            next: 0,
+            written: 0,
+            hash: FrameHash::new(),
+            repairs: Vec::new(),
+            header_due: false,
+            end_due: false,
+            is_end: false,
+            since: 0,
+            is_timed: false,
+            has_ended: false,
+            silent: 0,
+            tries: 0,
+            round_trip: None,
+            limit: MAX_LIMIT,
+            asked: 0,
+            delivery: None,
+            bytes_sent: 0,
         }
     }
-}
 
-impl<E> fmt::Display for SendError<E> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.as_str())
+    #[inline(never)]
+    fn begin(&mut self, header: FrameHeader) {
+        let Self { patience, round_trip, limit, bytes_sent, .. } = *self;
+        *self = Self {
+            header: Some(header),
+            header_due: true,
+            round_trip,
+            limit: limit.saturating_mul(2).min(MAX_LIMIT),
+            bytes_sent,
+            ..Self::new(patience)
+        };
     }
-}
 
-impl<E: core::error::Error + 'static> core::error::Error for SendError<E> {
-    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
-        match self {
-            Self::Io(error) | Self::Listen(error) => Some(error),
-            _ => None,
+    fn is_swept(&self) -> bool {
+        self.header.is_none_or(|header| self.next >= header.height)
+    }
+
+    /// Whether the rows that have been coded are to be sent before anything else.
+    fn is_packet_full(&self) -> bool {
+        let is_repairing = !self.repairs.is_empty();
+        self.open.is_some_and(|open| {
+            self.header_due || open.is_repair != is_repairing || !is_repairing && self.is_swept()
+        })
+    }
+
+    /// The rows that have been coded, which are no longer open.
+    fn close(&mut self) -> Option<(FrameHeader, Open)> {
+        Some((self.header?, self.open.take()?))
+    }
+
+    #[inline(never)]
+    fn poll(&mut self, packet: &mut [u8], now: u32) -> Wanted {
+        let Some(header) = self.header else { return Wanted::Nothing(Delivery::Unheard) };
+        if self.ready > 0 {
+            return Wanted::Packet;
+        }
+        if let Some(delivery) = self.delivery {
+            return Wanted::Nothing(delivery);
+        }
+        if self.header_due {
+            self.header_due = false;
+            // Cannot fail: the header has pixels, and the buffer is large enough for a control packet.
+            self.ready = encode_header(header, packet).unwrap_or_default();
+            return Wanted::Packet;
+        }
+        if let Some(repair) = self.repairs.last() {
+            return Wanted::Row(repair.next);
+        }
+        if self.next < header.height {
+            return Wanted::Row(self.next);
+        }
+        let wait = self.wait();
+        let waited = now.wrapping_sub(self.since);
+        if !self.end_due && waited < wait {
+            return Wanted::Silence(wait - waited);
+        }
+        if !self.end_due {
+            self.silent += u64::from(waited);
+            self.tries = self.tries.saturating_add(1);
+        }
+        let most = u64::from(self.patience.ticks) * u64::from(self.patience.silences);
+        if self.silent >= most && !self.end_due {
+            self.delivery = Some(Delivery::Unheard);
+            return Wanted::Nothing(Delivery::Unheard);
+        }
+        (self.end_due, self.is_end) = (false, true);
+        self.ready = encode_end(header.frame, self.hash, packet).unwrap_or_default();
+        Wanted::Packet
+    }
+
+    /// How long to wait for an answer: some times what it took before, and longer each time.
+    fn wait(&self) -> u32 {
+        let most = self.patience.ticks;
+        let first = self.round_trip.map_or(most, |ticks| ticks.saturating_mul(4).saturating_add(2));
+        first.saturating_mul(1 << self.tries.min(4)).min(most)
+    }
+
+    fn sent(&mut self, now: u32) {
+        self.bytes_sent = self.bytes_sent.wrapping_add(self.ready as u64);
+        self.ready = 0;
+        let open = self.open.filter(|open| !open.is_repair);
+        self.written = open.map_or(self.next, |open| open.y);
+        if core::mem::take(&mut self.is_end) {
+            self.since = now;
+            self.is_timed = !core::mem::replace(&mut self.has_ended, true);
+            if self.patience.silences == 0 {
+                self.delivery = Some(Delivery::Unheard);
+            }
+        }
+    }
+
+    /// What row `y` is wanted for.
+    #[inline(never)]
+    fn target(&self, y: u16) -> Result<Target, EncodeError> {
+        let header = self.header.ok_or(EncodeError::NoFrame)?;
+        let (wanted, is_repair, limit) = match self.repairs.last() {
+            Some(repair) => (repair.next, true, repair.limit.max(MIN_LIMIT).min(self.limit)),
+            None => (self.next, false, self.limit),
+        };
+        if self.ready > 0 || y != wanted || y >= header.height {
+            return Err(EncodeError::Order);
+        }
+        Ok(Target { header, is_repair, limit })
+    }
+
+    /// The row that was wanted is in a packet.
+    fn row_taken(&mut self, is_repair: bool, hash: impl FnOnce() -> u32) {
+        if !is_repair {
+            // The sum of the hashes is right only if every row is in it once.
+            self.hash.add(hash());
+            self.next += 1;
+            self.end_due = self.is_swept();
+        } else if let Some(repair) = self.repairs.last_mut() {
+            repair.next += 1;
+            if repair.next >= repair.end {
+                self.repairs.pop();
+                self.end_due = self.is_swept();
+            }
+        }
+    }
+
+    /// The other end is there.
+    fn heard(&mut self, now: u32) {
+        if self.is_swept() && !self.end_due {
+            if core::mem::take(&mut self.is_timed) {
+                let ticks = now.wrapping_sub(self.since);
+                // Waiting too long costs little; a request from before the end must not make it short.
+                let before = self.round_trip.unwrap_or(ticks);
+                self.round_trip = Some(ticks.max(before.midpoint(ticks)));
+            }
+            self.since = now;
+        }
+        (self.silent, self.tries) = (0, 0);
+    }
+
+    #[inline(never)]
+    fn acknowledge(&mut self, frame: u16, now: u32) {
+        // Before the end, it is late and of another frame with this number.
+        if self.header.is_some_and(|header| header.frame == frame) && self.has_ended {
+            self.heard(now);
+            self.repairs.clear();
+            self.delivery = Some(Delivery::Acknowledged { repairs: self.asked });
+        }
+    }
+
+    #[inline(never)]
+    fn ask(&mut self, request: Request, now: u32) {
+        if self.header.is_none_or(|header| header.frame != request.frame) {
+            return;
+        }
+        self.heard(now);
+        self.asked = self.asked.saturating_add(1);
+        match request.part {
+            Part::Header => {
+                self.header_due = true;
+                self.end_due = self.is_swept();
+            }
+            Part::End => self.end_due = self.is_swept(),
+            Part::Rows { y, count, limit } => {
+                // Rows that are still to come are not lost.
+                let end = y.saturating_add(count).min(self.written);
+                if y >= end {
+                    return;
+                }
+                self.limit = limit.max(MIN_LIMIT).min(self.limit);
+                let repair = Repair { next: y, end, limit };
+                if !self.repairs.iter().any(|other| other.end == end) {
+                    // If there is no place, it is asked for once more.
+                    let _ = self.repairs.push(repair);
+                }
+            }
         }
     }
 }

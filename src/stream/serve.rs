@@ -2,52 +2,25 @@
 
 use embedded_io::{Read, ReadReady, Write};
 
-use super::decoder::Decoder;
-use super::pixel::WirePixel;
-use super::sender::{SendError, Sender};
-use super::wire::{CONTROL_CAPACITY, FrameHeader, Packet, Part};
-use crate::render::RowSource;
-
-/// How long [`serve`] waits for the other end, which has no clock: it counts its looks at the line.
-///
-/// A look is one call of [`read_ready`](ReadReady::read_ready) that found nothing. On a microcontroller that
-/// asks a register, some ten to thirty instructions pass from look to look: 500,000 looks are about a
-/// second at 16 MHz. A `read_ready` that itself waits, for a timer's tick or in an operating system, needs
-/// fewer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Patience {
-    /// So many looks since the last packet are a silence, and the end of the frame is sent once more.
-    /// Bytes that are no packet don't break a silence.
-    pub looks: u32,
-    /// After so many silences, one after the other, the frame counts as unheard.
-    pub silences: u32,
-}
-
-/// How a frame ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Delivery {
-    /// The other end has the whole frame.
-    Acknowledged {
-        /// How many things it has asked for again.
-        repairs: u16,
-    },
-    /// The other end said nothing for as long as there was [`Patience`]: nobody is there, or can't answer.
-    Unheard,
-}
+use super::clock::Clock;
+use super::codec::RowCoding;
+use super::pixel::{Wire, WirePixel};
+use super::sender::{Delivery, Sender, Task};
+use super::serve_error::ServeError;
+use super::wire::FrameHeader;
+use crate::render::{Palette, RowSource};
 
 /// Sends one frame, and then renders again whatever was lost on the way, until the other end has all of
 /// it.
 ///
-/// `frame` is the frame's id: count it up from frame to frame. `pixels` is the memory for one row; the
-/// sender has that for one packet. A 16-byte buffer for answers is all that comes on top.
+/// `frame` is the frame's id: count it up from frame to frame. `pixels` is the memory for one row.
+/// Requests are served between rows. `read_ready` must not wait.
 ///
 /// # Errors
 ///
-/// [`SendError::Render`] if a row can't be rendered, as when `pixels` is not one row;
-/// [`SendError::Encode`] if the sender's buffer is too small for the source's rows; [`SendError::Io`],
-/// [`SendError::Listen`] or [`SendError::Closed`] if the line fails. The frame is then over: call it again
+/// [`ServeError::Render`] if a row can't be rendered, as when `pixels` is not one row;
+/// [`ServeError::Encode`] if the sender's buffer is too small for the source's rows; [`ServeError::Write`],
+/// [`ServeError::Read`] or [`ServeError::Closed`] if the line fails. The frame is then over: call it again
 /// with the next id.
 ///
 /// ```
@@ -56,11 +29,11 @@ pub enum Delivery {
 /// use scancsg::render::{Gray8, Lambert, Orthographic, Picture, Size};
 /// use scancsg::solid::Sphere;
 /// use scancsg::stream::{
-///     Delivery, Patience, PixelFormat, Sender, encode_ack, packet_capacity, serve,
+///     Delivery, Looks, Patience, PixelFormat, Plain, Sender, encode_ack, row_capacity, serve,
 /// };
 ///
-/// /// In firmware, your HAL's serial port. Here the other end has answered beforehand.
-/// struct Port<'a>(&'a [u8]);
+/// /// In firmware, your HAL's serial port. Here the other end answers to the first flush.
+/// struct Port<'a>(&'a [u8], bool);
 /// # impl ErrorType for Port<'_> {
 /// #     type Error = ErrorKind;
 /// # }
@@ -71,7 +44,7 @@ pub enum Delivery {
 /// # }
 /// # impl ReadReady for Port<'_> {
 /// #     fn read_ready(&mut self) -> Result<bool, ErrorKind> {
-/// #         Ok(!self.0.is_empty())
+/// #         Ok(self.1 && !self.0.is_empty())
 /// #     }
 /// # }
 /// # impl Write for Port<'_> {
@@ -79,6 +52,7 @@ pub enum Delivery {
 /// #         Ok(bytes.len())
 /// #     }
 /// #     fn flush(&mut self) -> Result<(), ErrorKind> {
+/// #         self.1 = true;
 /// #         Ok(())
 /// #     }
 /// # }
@@ -91,83 +65,96 @@ pub enum Delivery {
 ///
 /// let mut answer = [0; 16];
 /// let length = encode_ack(7, &mut answer)?;
-/// let port = Port(&answer[..length]);
+/// let mut port = Port(&answer[..length], false);
 ///
-/// let mut sender = Sender::<_, { packet_capacity(32, PixelFormat::Gray8) }>::new(port);
+/// let patience = Patience { ticks: 500_000, silences: 3 };
+/// let mut sender = Sender::<_, { row_capacity(32, PixelFormat::Gray8) }>::new(Plain, patience);
 /// let mut row = [Gray8(0); 32];
-/// let patience = Patience { looks: 500_000, silences: 3 };
-/// let delivery = serve(&mut picture, 7, &mut sender, &mut row, patience)?;
+/// let delivery = serve(&mut picture, 7, &mut sender, &mut port, &mut row, &mut Looks::new())?;
 /// assert_eq!(delivery, Delivery::Acknowledged { repairs: 0 });
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn serve<S, L, const N: usize>(
+pub fn serve<S, L, C, const N: usize>(
     source: &mut S,
     frame: u16,
-    sender: &mut Sender<L, N>,
+    sender: &mut Sender<C, N>,
+    line: &mut L,
     pixels: &mut [S::Pixel],
-    patience: Patience,
-) -> Result<Delivery, SendError<L::Error>>
+    clock: &mut impl Clock,
+) -> Result<Delivery, ServeError<L::Error>>
 where
     S: RowSource<Pixel: WirePixel> + ?Sized,
-    L: Read + ReadReady + Write,
+    L: Read + ReadReady + Write + ?Sized,
+    C: RowCoding<S::Pixel>,
 {
-    let size = source.size();
-    let (width, height) = (size.width(), size.height());
-    sender.begin(FrameHeader { frame, width, height, format: S::Pixel::FORMAT })?;
-    for y in 0..height {
-        source.render(y, pixels).map_err(SendError::Render)?;
-        sender.row(y, pixels)?;
-    }
-    sender.end()?;
-
-    let mut decoder = Decoder::<CONTROL_CAPACITY>::new();
-    let (mut looks, mut silences, mut repairs) = (0, 0, 0_u16);
-    while silences < patience.silences {
-        let Some(byte) = look(sender.writer_mut())? else {
-            if looks == 0 {
-                // The other end can't answer what still waits in a buffer.
-                sender.writer_mut().flush().map_err(SendError::Io)?;
+    sender.begin(header_of(source, frame)).map_err(ServeError::Encode)?;
+    let mut rendered = None;
+    let mut is_flushed = true;
+    loop {
+        let mut is_quiet = false;
+        for _ in 0..READS {
+            is_quiet = !line.read_ready().map_err(ServeError::Read)?;
+            if is_quiet {
+                break;
             }
-            looks += 1;
-            if looks >= patience.looks {
-                (looks, silences) = (0, silences + 1);
-                sender.end_again()?;
+            let mut bytes = [0; 16];
+            let count = line.read(&mut bytes).map_err(ServeError::Read)?;
+            if count == 0 {
+                return Err(ServeError::Closed);
             }
-            continue;
-        };
-        // What can't be read is asked for again by the other end.
-        let Some(Ok(packet)) = decoder.push(byte) else { continue };
-        (looks, silences) = (0, 0);
-        match packet {
-            Packet::Ack { frame: whole } if whole == frame => {
-                return Ok(Delivery::Acknowledged { repairs });
+            bytes.iter().take(count).for_each(|byte| sender.receive(*byte, clock.now()));
+        }
+        match sender.poll(clock.now()) {
+            Task::Send(packet) => {
+                write(line, packet)?;
+                sender.sent(clock.now());
+                is_flushed = false;
             }
-            Packet::Request(request) if request.frame == frame => {
-                repairs = repairs.saturating_add(1);
-                match request.part {
-                    Part::Header => sender.header_again()?,
-                    Part::End => sender.end_again()?,
-                    Part::Row(y) if y < height => {
-                        source.render(y, pixels).map_err(SendError::Render)?;
-                        sender.resend_row(y, pixels)?;
-                    }
-                    Part::Row(_) => {}
+            Task::Row(y) => {
+                if rendered != Some(y) {
+                    source.render(y, pixels).map_err(ServeError::Render)?;
+                    rendered = Some(y);
                 }
+                sender.row(y, pixels).map_err(ServeError::Encode)?;
             }
-            _ => {}
+            Task::Listen(ticks) if is_flushed => clock.idle(if is_quiet { ticks } else { 0 }),
+            // The other end can't answer what still waits in a buffer.
+            Task::Listen(_) => {
+                line.flush().map_err(ServeError::Write)?;
+                is_flushed = true;
+            }
+            Task::Done(delivery) => {
+                line.flush().map_err(ServeError::Write)?;
+                return Ok(delivery);
+            }
         }
     }
-    Ok(Delivery::Unheard)
 }
 
-/// The next byte of the line, if there is one.
-fn look<L: Read + ReadReady>(line: &mut L) -> Result<Option<u8>, SendError<L::Error>> {
-    if !line.read_ready().map_err(SendError::Listen)? {
-        return Ok(None);
+/// So often the line is read before the next packet: noise without end must not hold a frame.
+pub(super) const READS: u8 = 8;
+
+/// Writes all of the bytes.
+pub(super) fn write<L: Write + ?Sized>(
+    line: &mut L,
+    mut bytes: &[u8],
+) -> Result<(), ServeError<L::Error>> {
+    while !bytes.is_empty() {
+        match line.write(bytes).map_err(ServeError::Write)? {
+            0 => return Err(ServeError::Closed),
+            count => bytes = bytes.get(count..).unwrap_or_default(),
+        }
     }
-    let mut byte = [0];
-    match line.read(&mut byte).map_err(SendError::Listen)? {
-        0 => Err(SendError::Closed),
-        _ => Ok(byte.first().copied()),
-    }
+    Ok(())
+}
+
+/// The header of a source's frame.
+pub(super) fn header_of<S>(source: &S, frame: u16) -> FrameHeader
+where
+    S: RowSource<Pixel: WirePixel> + ?Sized,
+{
+    let size = source.size();
+    let format = <S::Pixel as WirePixel>::Wire::FORMAT;
+    let palette = if format.has_colors() { source.palette() } else { Palette::EMPTY };
+    FrameHeader { frame, width: size.width(), height: size.height(), format, palette }
 }

@@ -9,11 +9,12 @@ use core::ops::Range;
 use super::codec::{Encoding, RowPayload};
 use super::crc::FrameHash;
 use super::error::{EncodeError, PacketError};
-use super::framing::{framed, seal, unseal};
+use super::framing::{IN_PLACE, framed, in_place, seal, seal_in_place, unseal};
 use super::pixel::{PixelFormat, WirePixel};
+use crate::render::{Palette, Rgb};
 
 /// The version of the protocol, sent in every frame header. Another version is refused, not guessed at.
-pub const PROTOCOL_VERSION: u8 = 1;
+pub const PROTOCOL_VERSION: u8 = 2;
 
 /// The place of a field.
 type Field = Range<usize>;
@@ -24,7 +25,10 @@ const HEADER_FRAME: Field = 2..4;
 const HEADER_WIDTH: Field = 4..6;
 const HEADER_HEIGHT: Field = 6..8;
 const HEADER_FORMAT: Field = 8..9;
-const HEADER_LEN: usize = HEADER_FORMAT.end;
+const HEADER_COLORS: Field = 9..10;
+/// So many colours are from here on, three bytes each.
+const HEADER_LEN: usize = HEADER_COLORS.end;
+const HEADER_MAX: usize = HEADER_LEN + 3 * Palette::CAPACITY;
 
 const ROW: u8 = 0x02;
 const ROW_FRAME: Field = 1..3;
@@ -32,6 +36,13 @@ const ROW_Y: Field = 3..5;
 const ROW_ENCODING: Field = 5..6;
 /// The payload is from here on.
 const ROW_LEN: usize = ROW_ENCODING.end;
+
+const ROWS: u8 = 0x04;
+const ROWS_FRAME: Field = 1..3;
+const ROWS_Y: Field = 3..5;
+const ROWS_COUNT: Field = 5..6;
+/// The payload is from here on.
+const ROWS_LEN: usize = ROWS_COUNT.end;
 
 const END: u8 = 0x03;
 const END_FRAME: Field = 1..3;
@@ -42,9 +53,11 @@ const REQUEST: u8 = 0x81;
 const REQUEST_FRAME: Field = 1..3;
 const REQUEST_PART: Field = 3..4;
 const REQUEST_Y: Field = 4..6;
-const REQUEST_LEN: usize = REQUEST_Y.end;
+const REQUEST_COUNT: Field = 6..8;
+const REQUEST_LIMIT: Field = 8..9;
+const REQUEST_LEN: usize = REQUEST_LIMIT.end;
 const PART_HEADER: u8 = 0;
-const PART_ROW: u8 = 1;
+const PART_ROWS: u8 = 1;
 const PART_END: u8 = 2;
 
 const ACK: u8 = 0x82;
@@ -52,24 +65,37 @@ const ACK_FRAME: Field = 1..3;
 const ACK_LEN: usize = ACK_FRAME.end;
 
 /// The bytes that any packet without pixels needs: headers, ends, requests and acknowledgements.
-pub const CONTROL_CAPACITY: usize = 1 + framed(HEADER_LEN);
+pub const CONTROL_CAPACITY: usize = 1 + framed(HEADER_MAX);
+
+/// The bytes that a request or an acknowledgement needs.
+pub(super) const REQUEST_CAPACITY: usize = 1 + framed(REQUEST_LEN);
 
 /// The bytes that the longest packet of a frame with rows of `width` pixels in `format` needs.
 ///
-/// A sender's and a decoder's buffer of this size can hold any packet of the frame, control packets
-/// included.
+/// A sender's and a receiver's buffer of this size can hold any packet of the frame, control packets
+/// included. A sender whose packets hold one row each can do with [`row_capacity`].
 ///
 /// ```
-/// use scancsg::stream::{Decoder, PixelFormat, packet_capacity};
+/// use scancsg::stream::{Decoder, PixelFormat, packet_capacity, row_capacity};
 ///
 /// const CAPACITY: usize = packet_capacity(320, PixelFormat::Rgb565);
 /// assert_eq!(CAPACITY, 654);
 /// let decoder: Decoder<CAPACITY> = Decoder::new();
+/// assert_eq!(packet_capacity(160, PixelFormat::Gray8), 256); // several rows
+/// assert_eq!(row_capacity(160, PixelFormat::Gray8), 172);
 /// ```
 #[must_use]
 pub const fn packet_capacity(width: u16, format: PixelFormat) -> usize {
-    let pixels = (width as usize).saturating_mul(format.bytes_per_pixel());
-    let row = framed(pixels.saturating_add(ROW_LEN));
+    let row = row_capacity(width, format);
+    if row > IN_PLACE { row } else { IN_PLACE }
+}
+
+/// The bytes that the longest packet with one row needs, or a control packet if that is longer.
+///
+/// A [`Sender`](super::Sender) with [`Plain`](super::Plain) rows needs no larger buffer.
+#[must_use]
+pub const fn row_capacity(width: u16, format: PixelFormat) -> usize {
+    let row = framed(format.row_bytes(width).saturating_add(ROW_LEN));
     if row > CONTROL_CAPACITY { row } else { CONTROL_CAPACITY }
 }
 
@@ -124,6 +150,17 @@ pub enum Packet<'a> {
         /// The row's pixels.
         payload: RowPayload<'a>,
     },
+    /// Some rows of a frame, one below the other.
+    Rows {
+        /// The frame's id.
+        frame: u16,
+        /// The number of the first row, 0 at the top.
+        y: u16,
+        /// How many rows there are, at least one.
+        count: u8,
+        /// The rows' pixels, coded together.
+        payload: &'a [u8],
+    },
     /// All rows of a frame have been sent.
     End {
         /// The frame's id.
@@ -147,6 +184,7 @@ impl<'a> Packet<'a> {
         match *content.first().ok_or(PacketError::Length)? {
             HEADER => FrameHeader::parse(content).map(Packet::Header),
             ROW => parse_row(content),
+            ROWS => parse_rows(content),
             END => parse_end(content),
             REQUEST => Request::parse(content).map(Packet::Request),
             ACK => parse_ack(content),
@@ -168,6 +206,8 @@ pub struct FrameHeader {
     pub height: u16,
     /// The format of all its pixels.
     pub format: PixelFormat,
+    /// The colours of its surfaces, which rows are coded by.
+    pub palette: Palette,
 }
 
 impl FrameHeader {
@@ -180,8 +220,7 @@ impl FrameHeader {
     /// The size of one row's pixels in bytes, uncompressed.
     #[must_use]
     pub const fn row_bytes(&self) -> usize {
-        // Saturates only where usize has 16 bits; no slice is that long, so it still compares rightly.
-        (self.width as usize).saturating_mul(self.format.bytes_per_pixel())
+        self.format.row_bytes(self.width)
     }
 
     /// The size of all pixels in bytes, uncompressed, or `None` if it is beyond `usize`.
@@ -195,8 +234,14 @@ impl FrameHeader {
         if content.get(HEADER_VERSION).ok_or(PacketError::Length)? != [PROTOCOL_VERSION] {
             return Err(PacketError::Version);
         }
-        let fields = Fields::<HEADER_LEN>::read(content)?;
+        let (fields, colors) = content.split_first_chunk().ok_or(PacketError::Length)?;
+        let fields = Fields::<HEADER_LEN>(*fields);
+        let (colors, []) = colors.as_chunks() else { return Err(PacketError::Length) };
+        if colors.len() > Palette::CAPACITY || colors.len() != fields.get(HEADER_COLORS) as usize {
+            return Err(PacketError::Length);
+        }
         let header = Self {
+            palette: colors.iter().map(|&[r, g, b]| Rgb::new(r, g, b)).collect(),
             frame: fields.get(HEADER_FRAME) as u16,
             width: fields.get(HEADER_WIDTH) as u16,
             height: fields.get(HEADER_HEIGHT) as u16,
@@ -220,13 +265,17 @@ pub fn encode_header(header: FrameHeader, buffer: &mut [u8]) -> Result<usize, En
     }
     let (cut, rest) = buffer.split_first_mut().ok_or(EncodeError::BufferTooSmall)?;
     *cut = 0;
-    let len = Fields::<HEADER_LEN>::new(HEADER)
+    let fields = Fields::<HEADER_LEN>::new(HEADER)
         .set(HEADER_VERSION, PROTOCOL_VERSION.into())
         .set(HEADER_FRAME, header.frame.into())
         .set(HEADER_WIDTH, header.width.into())
         .set(HEADER_HEIGHT, header.height.into())
         .set(HEADER_FORMAT, header.format.code().into())
-        .seal(rest)?;
+        .set(HEADER_COLORS, header.palette.len() as u32);
+    let len = seal(rest, |writer| {
+        writer.put(&fields.0)?;
+        header.palette.iter().try_for_each(|color| writer.put(&[color.r, color.g, color.b]))
+    })?;
     Ok(1 + len)
 }
 
@@ -280,6 +329,41 @@ pub fn encode_row<P: WirePixel>(
     })
 }
 
+fn parse_rows(content: &[u8]) -> Result<Packet<'_>, PacketError> {
+    let (fields, payload) = content.split_first_chunk().ok_or(PacketError::Length)?;
+    let fields = Fields::<ROWS_LEN>(*fields);
+    let count = fields.get(ROWS_COUNT) as u8;
+    if count == 0 {
+        return Err(PacketError::Length);
+    }
+    Ok(Packet::Rows {
+        frame: fields.get(ROWS_FRAME) as u16,
+        y: fields.get(ROWS_Y) as u16,
+        count,
+        payload,
+    })
+}
+
+/// The place in a packet's buffer for the coded pixels of several rows, `limit` bytes of contents in all.
+pub(super) fn rows_payload(buffer: &mut [u8], limit: usize) -> &mut [u8] {
+    in_place(buffer, limit).get_mut(ROWS_LEN..).unwrap_or_default()
+}
+
+/// Makes a packet of rows whose payload of `len` bytes is in the place of [`rows_payload`].
+pub(super) fn seal_rows(
+    frame: u16,
+    y: u16,
+    count: u8,
+    len: usize,
+    buffer: &mut [u8],
+) -> Result<usize, EncodeError> {
+    let fields = Fields::<ROWS_LEN>::new(ROWS)
+        .set(ROWS_FRAME, frame.into())
+        .set(ROWS_Y, y.into())
+        .set(ROWS_COUNT, count.into());
+    seal_in_place(buffer, &fields.0, len)
+}
+
 fn parse_end(content: &[u8]) -> Result<Packet<'_>, PacketError> {
     let fields = Fields::<END_LEN>::read(content)?;
     Ok(Packet::End {
@@ -307,8 +391,16 @@ pub fn encode_end(frame: u16, hash: FrameHash, buffer: &mut [u8]) -> Result<usiz
 pub enum Part {
     /// The frame header.
     Header,
-    /// The row with this number, 0 at the top.
-    Row(u16),
+    /// Some rows, one below the other.
+    Rows {
+        /// The number of the first one, 0 at the top.
+        y: u16,
+        /// How many, at least one.
+        count: u16,
+        /// A packet of several rows should have no more bytes of contents than this: where much gets
+        /// lost, short packets get through.
+        limit: u8,
+    },
     /// The end of the frame with its hash.
     End,
 }
@@ -328,7 +420,11 @@ impl Request {
         let fields = Fields::<REQUEST_LEN>::read(content)?;
         let part = match fields.get(REQUEST_PART) as u8 {
             PART_HEADER => Part::Header,
-            PART_ROW => Part::Row(fields.get(REQUEST_Y) as u16),
+            PART_ROWS => Part::Rows {
+                y: fields.get(REQUEST_Y) as u16,
+                count: fields.get(REQUEST_COUNT) as u16,
+                limit: fields.get(REQUEST_LIMIT) as u8,
+            },
             PART_END => Part::End,
             _ => return Err(PacketError::Part),
         };
@@ -336,22 +432,28 @@ impl Request {
     }
 }
 
-/// Encodes a request, from a receiver to its sender.
+/// Encodes a request, from a receiver to its sender, with a zero byte before it: a sender that was busy
+/// may have heard the end of an earlier one.
 ///
 /// # Errors
 ///
 /// [`EncodeError::BufferTooSmall`].
 pub fn encode_request(request: Request, buffer: &mut [u8]) -> Result<usize, EncodeError> {
-    let (part, y) = match request.part {
-        Part::Header => (PART_HEADER, 0),
-        Part::Row(y) => (PART_ROW, y),
-        Part::End => (PART_END, 0),
+    let (part, y, count, limit) = match request.part {
+        Part::Header => (PART_HEADER, 0, 0, 0),
+        Part::Rows { y, count, limit } => (PART_ROWS, y, count, limit),
+        Part::End => (PART_END, 0, 0, 0),
     };
-    Fields::<REQUEST_LEN>::new(REQUEST)
+    let (cut, rest) = buffer.split_first_mut().ok_or(EncodeError::BufferTooSmall)?;
+    *cut = 0;
+    let len = Fields::<REQUEST_LEN>::new(REQUEST)
         .set(REQUEST_FRAME, request.frame.into())
         .set(REQUEST_PART, part.into())
         .set(REQUEST_Y, y.into())
-        .seal(buffer)
+        .set(REQUEST_COUNT, count.into())
+        .set(REQUEST_LIMIT, limit.into())
+        .seal(rest)?;
+    Ok(1 + len)
 }
 
 fn parse_ack(content: &[u8]) -> Result<Packet<'_>, PacketError> {
@@ -359,13 +461,16 @@ fn parse_ack(content: &[u8]) -> Result<Packet<'_>, PacketError> {
     Ok(Packet::Ack { frame: fields.get(ACK_FRAME) as u16 })
 }
 
-/// Encodes the acknowledgement of a complete frame, from a receiver to its sender.
+/// Encodes the acknowledgement of a complete frame, from a receiver to its sender, with a zero byte before
+/// it.
 ///
 /// # Errors
 ///
 /// [`EncodeError::BufferTooSmall`].
 pub fn encode_ack(frame: u16, buffer: &mut [u8]) -> Result<usize, EncodeError> {
-    Fields::<ACK_LEN>::new(ACK).set(ACK_FRAME, frame.into()).seal(buffer)
+    let (cut, rest) = buffer.split_first_mut().ok_or(EncodeError::BufferTooSmall)?;
+    *cut = 0;
+    Ok(1 + Fields::<ACK_LEN>::new(ACK).set(ACK_FRAME, frame.into()).seal(rest)?)
 }
 
 #[cfg(test)]
@@ -406,10 +511,20 @@ mod tests {
 
     #[test]
     fn packets_are_laid_out_as_documented() {
-        let header = FrameHeader { frame: 0x3412, width: 0x7856, height: 0xBC9A, format: FORMAT };
+        let palette = [Rgb::new(0xDE, 0xF0, 0x11), Rgb::new(0x22, 0x33, 0x44)];
+        let header = FrameHeader {
+            frame: 0x3412,
+            width: 0x7856,
+            height: 0xBC9A,
+            format: FORMAT,
+            palette: palette.into_iter().collect(),
+        };
         check(
             Packet::Header(header),
-            &[0x01, 1, 0x12, 0x34, 0x56, 0x78, 0x9A, 0xBC, 1],
+            &[
+                0x01, 2, 0x12, 0x34, 0x56, 0x78, 0x9A, 0xBC, 1, 2, 0xDE, 0xF0, 0x11, 0x22, 0x33,
+                0x44,
+            ],
             |buffer| encode_header(header, buffer),
         );
         let payload = RowPayload { encoding: Encoding::Raw, bytes: &[0x9A, 0xBC] };
@@ -430,16 +545,27 @@ mod tests {
             &[0x03, 0x12, 0x34, 0x78, 0x9A, 0xBC, 0xDE],
             |buffer| encode_end(0x3412, hash, buffer),
         );
-        for (part, [tag, y0, y1]) in [
-            (Part::Header, [0, 0, 0]),
-            (Part::Row(0x7856), [1, 0x56, 0x78]),
-            (Part::End, [2, 0, 0]),
+        for (part, [tag, y0, y1, n0, n1, limit]) in [
+            (Part::Header, [0; 6]),
+            (
+                Part::Rows { y: 0x7856, count: 0xBC9A, limit: 0xDE },
+                [1, 0x56, 0x78, 0x9A, 0xBC, 0xDE],
+            ),
+            (Part::End, [2, 0, 0, 0, 0, 0]),
         ] {
             let request = Request { frame: 0x3412, part };
-            check(Packet::Request(request), &[0x81, 0x12, 0x34, tag, y0, y1], |buffer| {
-                encode_request(request, buffer)
-            });
+            let bytes = [0x81, 0x12, 0x34, tag, y0, y1, n0, n1, limit];
+            check(Packet::Request(request), &bytes, |buffer| encode_request(request, buffer));
         }
+        let payload = [0x9A, 0, 0xDE];
+        check(
+            Packet::Rows { frame: 0x3412, y: 0x7856, count: 0xBC, payload: &payload },
+            &[0x04, 0x12, 0x34, 0x56, 0x78, 0xBC, 0x9A, 0, 0xDE],
+            |buffer| {
+                rows_payload(buffer, 254)[..3].copy_from_slice(&payload);
+                seal_rows(0x3412, 0x7856, 0xBC, 3, buffer)
+            },
+        );
         check(Packet::Ack { frame: 0x3412 }, &[0x82, 0x12, 0x34], |buffer| {
             encode_ack(0x3412, buffer)
         });

@@ -263,6 +263,7 @@ where
     /// Enters each run once and asks in all of its columns; then each column on its own, from the last one
     /// to the first, and every third one. Returns the number of crossings.
     fn check_row(&mut self) -> Result<u32, TestCaseError> {
+        let lists: Vec<_> = (0..self.columns).map(|index| self.list(index)).collect();
         let mut crossings = 0;
         let mut run = ColumnRun { is_visible: false, until: 0 };
         for index in 0..self.columns {
@@ -270,27 +271,35 @@ where
                 run = T::enter(&mut self.walked.row, index);
                 prop_assert!(run.until > index, "a run without a column");
             }
-            crossings += self.check(index, run)?;
+            crossings += self.check(index, run, &lists)?;
         }
         let back = (0..self.columns).rev();
         for index in back.chain((0..self.columns).step_by(3)) {
             let run = T::enter(&mut self.walked.row, index);
-            crossings += self.check(index, run)?;
+            crossings += self.check(index, run, &lists)?;
         }
         Ok(crossings)
     }
 
-    /// Walks along the ray of a column that was entered, and wants the crossings of its list.
-    fn check(&mut self, index: u32, run: ColumnRun) -> Result<u32, TestCaseError> {
-        let Self { walked: Staged { solid, view, row }, listed, .. } = self;
-        let x = from_middle(index, self.columns);
-        PIXEL.set((x, self.y, self.columns));
+    /// The spans of a column's ray.
+    fn list(&self, index: u32) -> Vec<Span<S>> {
+        PIXEL.set((from_middle(index, self.columns), self.y, self.columns));
         let mut list = SpanList::<S, 64>::new();
-        listed.spans(
-            &Line { origin: Vec3::ZERO, direction: Vec3::ZERO },
-            Face(0),
-            &mut list.stack(),
-        );
+        let line = Line { origin: Vec3::ZERO, direction: Vec3::ZERO };
+        self.listed.spans(&line, Face(0), &mut list.stack());
+        list.to_vec()
+    }
+
+    /// Walks along the ray of a column that was entered, and wants the crossings of its list.
+    fn check(
+        &mut self,
+        index: u32,
+        run: ColumnRun,
+        lists: &[Vec<Span<S>>],
+    ) -> Result<u32, TestCaseError> {
+        let Staged { solid, view, row } = &mut self.walked;
+        let x = from_middle(index, self.columns);
+        let list = &lists[index as usize];
         let mut wanted = list.iter().flat_map(|span| [span.enter, span.exit]);
         let mut inside = list.first().is_some_and(|span| span.enter.t == S::LOWEST);
         if inside {

@@ -57,7 +57,7 @@ pub fn measure(chosen: &Boards) -> Result<(), String> {
                 ));
             }
             if let Some(path) = &chosen.png {
-                host::image::write_png(path, std::slice::from_ref(&outcome.frame))?;
+                host::film::Film::new(path).push(&outcome.frame)?;
             }
             let least = toolchain.build(board, number, "render_only", &[])?;
             let least = elf::Contents::read(&least)?;

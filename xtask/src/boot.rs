@@ -1,14 +1,16 @@
 //! Boots firmware in an emulator, with a socket for its serial port.
 
 use crate::board::{Board, Number};
-use crate::host::image::write_png;
-use crate::host::receive::{Ending, Frame, Session, Traffic};
-use crate::host::terminal::Display;
+use crate::host::film::Film;
+use crate::host::meter::Meter;
+use crate::host::receive::{Ending, Frame, Room, Session, timing};
+use crate::host::screen::Screen;
 use crate::scene::{Scene, Tee};
 use scancsg::geom::OrthographicRays;
 use scancsg::render::{Gray8, Lambert, Picture, Size};
 use scancsg::scalar::I16F16;
 use scancsg::solid::Scan;
+use scancsg::stream::Traffic;
 use std::io::Read;
 use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
@@ -65,11 +67,7 @@ impl Machine {
         let deadline = Instant::now() + Duration::from_secs(20);
         loop {
             match UnixStream::connect(&self.socket) {
-                Ok(line) => {
-                    line.set_read_timeout(Some(crate::host::port::READ_TIMEOUT))
-                        .map_err(|error| error.to_string())?;
-                    return Ok(line);
-                }
+                Ok(line) => return Ok(line),
                 Err(error) if Instant::now() > deadline => {
                     return Err(format!("the emulator opens no serial line: {error}"));
                 }
@@ -108,9 +106,9 @@ impl Machine {
 
     /// As [`finish`](Self::finish), while its frames are received: a board that heard the
     /// acknowledgement of the first one too late sends a second.
-    pub fn finish_receiving(self, patience: Duration, session: &mut Session) -> (String, bool) {
+    pub fn finish_receiving(self, patience: Duration, session: &mut Session<'_>) -> (String, bool) {
         self.finish_after(patience, || {
-            let _ = session.frame(Duration::from_millis(300), |_, _| {});
+            let _ = session.frame(Duration::from_millis(300), |_| {});
         })
     }
 
@@ -159,15 +157,18 @@ pub struct Outcome {
 fn receive(
     board: Board,
     elf: &Path,
-    display: Option<&Display>,
+    is_shown: bool,
 ) -> Result<(Frame, Traffic, String, bool), String> {
     let (machine, line) = Machine::start(board, elf)?;
-    let mut session = Session::new(Box::new(line));
-    let frame = session.frame(PATIENCE, |receiver, traffic| {
-        if let Some(display) = display {
-            display.show(receiver, traffic);
+    let mut room = Room::new();
+    let mut session: Session<'_> = Session::new(Box::new(line), &mut room, timing(None));
+    let (mut screen, meter) = (Screen::new(), Meter::new());
+    let frame = session.frame(PATIENCE, |session| {
+        if is_shown && screen.is_due() {
+            let figures = meter.lines(session.picture(), session.traffic(), None);
+            screen.draw(session.picture(), &figures);
         }
-    })?;
+    });
     let traffic = session.traffic();
     let (said, is_good) = machine.finish_receiving(Duration::from_secs(60), &mut session);
     let frame = frame.ok_or_else(|| format!("{board} sent no frame\n{said}"))?;
@@ -176,8 +177,8 @@ fn receive(
 
 /// Boots the example `stream`, and compares its picture with the host's.
 pub fn stream(board: Board, number: Number, elf: &Path) -> Result<Outcome, String> {
-    let (frame, traffic, said, is_good) = receive(board, elf, None)?;
-    let mut problems: Vec<String> = frame.problem(0).into_iter().collect();
+    let (frame, traffic, said, is_good) = receive(board, elf, false)?;
+    let mut problems: Vec<String> = frame.problem().into_iter().collect();
     if !is_good {
         problems.push(format!("the firmware was not content: {}", said.trim()));
     }
@@ -227,14 +228,10 @@ where
 
 /// Boots a firmware, shows the picture that it sends, and saves it.
 pub fn show(board: Board, elf: &Path, png: &Path) -> Result<(), String> {
-    let display = Display::new();
-    display.begin(0, Some(1));
-    let result = receive(board, elf, Some(&display));
-    display.finish();
-    let (frame, traffic, said, is_good) = result?;
-    write_png(png, std::slice::from_ref(&frame))?;
+    let (frame, traffic, said, is_good) = receive(board, elf, true)?;
+    Film::new(png).push(&frame)?;
     println!("{}: {} bytes on the line; the board says\n{said}", png.display(), traffic.bytes);
-    if let Some(problem) = frame.problem(0) {
+    if let Some(problem) = frame.problem() {
         return Err(problem);
     }
     if is_good && frame.ending == Ending::Complete {

@@ -4,7 +4,7 @@ use crate::board::{Board, Number};
 use crate::boards::{self, Boards};
 use crate::paths::root;
 use crate::toolchain::{self, has_program};
-use crate::{faults, layers, log};
+use crate::{faults, layers, log, python, web};
 use std::fs;
 use std::process::Command;
 use std::time::Instant;
@@ -26,11 +26,12 @@ struct Step {
 }
 
 /// Quick ones first.
-const STEPS: [Step; 12] = [
+const STEPS: [Step; 15] = [
     Step { name: "format", what: "every file is formatted", run: format },
     Step { name: "layers", what: "files import downwards, and in no circle", run: layers },
     Step { name: "lints", what: "clippy, on all members and all features", run: lints },
     Step { name: "test", what: "README's test command", run: test },
+    Step { name: "features", what: "what other crates' types become, by feature", run: features },
     Step { name: "members", what: "tests of the test kit and of the chores", run: members },
     Step { name: "docs", what: "documentation without a warning", run: docs },
     Step { name: "accuracy", what: "every target, against exact arithmetic", run: accuracy },
@@ -40,6 +41,8 @@ const STEPS: [Step; 12] = [
         run: stream,
     },
     Step { name: "package", what: "a dependent gets the crate, and nothing else", run: package },
+    Step { name: "python", what: "the Python package receives what was sent", run: python::check },
+    Step { name: "web", what: "the page in a browser has the host's bits", run: page },
     Step {
         name: "boards",
         what: "firmware on five boards: pictures, sizes, instructions",
@@ -124,8 +127,17 @@ fn test() -> Result<(), String> {
     done(&mut readme_command("cargo test")?)
 }
 
+/// What README's test command leaves out, which has no features.
+fn features() -> Result<(), String> {
+    done(&mut command(
+        "cargo test --package scancsg --all-features --test embedded_graphics --test serde",
+    ))?;
+    done(&mut command("cargo test --package scancsg --all-features --doc interop"))
+}
+
 fn members() -> Result<(), String> {
-    done(&mut command("cargo test --package testkit --package xtask"))
+    done(&mut command("cargo test --package testkit --package xtask --package display"))?;
+    done(&mut command("cargo test --package scancsg --features async --test stream_async"))
 }
 
 fn docs() -> Result<(), String> {
@@ -172,6 +184,18 @@ fn is_packaged(path: &str) -> bool {
         || path.starts_with("Cargo.")
 }
 
+fn page() -> Result<(), String> {
+    let mut packages = Vec::new();
+    if !has_program("chromium") {
+        packages.push("chromium");
+    }
+    if !toolchain::is_there(toolchain::WEB) {
+        packages.extend(toolchain::DEBIAN_PACKAGES.split(' '));
+    }
+    install(&packages)?;
+    web::run(&web::Web { test: true })
+}
+
 fn all_boards() -> Result<(), String> {
     ensure_board_tools()?;
     boards::measure(&Boards::default())
@@ -199,6 +223,11 @@ fn ensure_board_tools() -> Result<(), String> {
     if Board::ALL.iter().any(|board| !toolchain::is_there(board.target())) {
         packages.extend(toolchain::DEBIAN_PACKAGES.split(' '));
     }
+    install(&packages)
+}
+
+/// Installs packages of Debian's.
+fn install(packages: &[&str]) -> Result<(), String> {
     if packages.is_empty() {
         return Ok(());
     }

@@ -2,10 +2,10 @@
 
 use crate::board::{Board, Number};
 use crate::boot::Machine;
-use crate::host::port::Port;
-use crate::host::receive::{Ending, Session};
+use crate::host::port::{Heard, Port, write_all};
+use crate::host::receive::{Ending, Room, Session, timing};
 use crate::toolchain;
-use std::io::{self, Read, Write};
+use std::io;
 use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
 use std::thread;
@@ -47,10 +47,11 @@ fn garbage(board: Board, elf: &Path) -> Result<(), String> {
 
 /// Gets a frame whole, and makes sure that the board knows it.
 fn receive(machine: Machine, line: impl Port + 'static) -> Result<(), String> {
-    let mut session = Session::new(Box::new(line));
-    let frame = session.frame(Duration::from_secs(60), |_, _| {})?.ok_or("no frame came")?;
+    let mut room = Room::new();
+    let mut session: Session<'_> = Session::new(Box::new(line), &mut room, timing(None));
+    let frame = session.frame(Duration::from_secs(60), |_| {}).ok_or("no frame came")?;
     let (said, is_good) = machine.finish_receiving(Duration::from_secs(60), &mut session);
-    match frame.problem(0) {
+    match frame.problem() {
         None if is_good => Ok(()),
         None => Err(format!("the acknowledgement was not understood: {said}")),
         Some(problem) => Err(problem),
@@ -60,24 +61,18 @@ fn receive(machine: Machine, line: impl Port + 'static) -> Result<(), String> {
 /// A line on which every packet to the board comes behind bytes that mean nothing.
 struct Noisy(UnixStream);
 
-impl Read for Noisy {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        self.0.read(buffer)
+impl Port for Noisy {
+    fn read(&mut self, buffer: &mut [u8], wait: Duration) -> Heard {
+        Port::read(&mut self.0, buffer, wait)
     }
-}
 
-impl Write for Noisy {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let noise: Vec<u8> =
             (0..60u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 24) as u8).collect();
-        self.0.write_all(&noise)?;
+        write_all(&mut self.0, &noise, Duration::from_secs(1))?;
         // The end of a packet, so that the next one begins afresh.
-        self.0.write_all(&[0])?;
-        self.0.write(bytes)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.0.flush()
+        write_all(&mut self.0, &[0], Duration::from_secs(1))?;
+        Port::write(&mut self.0, bytes)
     }
 }
 
@@ -85,11 +80,12 @@ impl Write for Noisy {
 fn reset(board: Board, elf: &Path) -> Result<(), String> {
     let (machine, line) = Machine::start(board, elf)?;
     let port = Resetting { board, elf: elf.to_owned(), line, machine: Some(machine), left: 3000 };
-    let mut session = Session::new(Box::new(port));
-    let frame = session.frame(Duration::from_secs(60), |_, _| {})?.ok_or("no frame came")?;
+    let mut room = Room::new();
+    let mut session: Session<'_> = Session::new(Box::new(port), &mut room, timing(None));
+    let frame = session.frame(Duration::from_secs(60), |_| {}).ok_or("no frame came")?;
     match frame.ending {
         Ending::Complete => Ok(()),
-        _ => Err(frame.problem(0).unwrap_or_default()),
+        _ => Err(frame.problem().unwrap_or_default()),
     }
 }
 
@@ -102,31 +98,27 @@ struct Resetting {
     left: usize,
 }
 
-impl Read for Resetting {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        if self.left > 0 {
-            let most = buffer.len().min(self.left);
-            let count = self.line.read(buffer.get_mut(..most).unwrap_or_default())?;
-            self.left -= count;
-            if self.left == 0 {
-                self.machine = None;
-                let (machine, line) =
-                    Machine::start(self.board, &self.elf).map_err(io::Error::other)?;
-                (self.machine, self.line) = (Some(machine), line);
-            }
-            return Ok(count);
+impl Port for Resetting {
+    fn read(&mut self, buffer: &mut [u8], wait: Duration) -> Heard {
+        if self.left == 0 {
+            return Port::read(&mut self.line, buffer, wait);
         }
-        self.line.read(buffer)
+        let most = buffer.len().min(self.left);
+        let heard = Port::read(&mut self.line, buffer.get_mut(..most).unwrap_or_default(), wait);
+        let Heard::Bytes(count) = heard else { return heard };
+        self.left -= count;
+        if self.left == 0 {
+            self.machine = None;
+            let Ok((machine, line)) = Machine::start(self.board, &self.elf) else {
+                return Heard::Closed;
+            };
+            (self.machine, self.line) = (Some(machine), line);
+        }
+        heard
     }
-}
 
-impl Write for Resetting {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.line.write(bytes)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.line.flush()
+        Port::write(&mut self.line, bytes)
     }
 }
 

@@ -22,6 +22,7 @@ const LAYERS: [&str; 14] = [
     "inspect",
     "render",
     "stream",
+    "interop",
 ];
 
 /// A module's path within the crate, and paths of what is in it.

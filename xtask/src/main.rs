@@ -16,10 +16,12 @@ mod paths;
 #[path = "../../examples/bench/points.rs"]
 mod points;
 mod profile;
+mod python;
 mod report;
 #[path = "../../examples/scene/mod.rs"]
 mod scene;
 mod toolchain;
+mod web;
 
 use board::{Board, Number};
 use clap::{Parser, Subcommand};
@@ -48,6 +50,12 @@ enum Chore {
 
     /// Count where the instructions of a part of the example `bench` go
     Profile(profile::Profile),
+
+    /// Build the page for browsers, `target/web/scancsg.html`
+    Web(web::Web),
+
+    /// Install the Python package into `target/python`, and test it
+    Python,
 
     /// Check everything that must hold before a change lands, or one step of it
     Ci(ci::Ci),
@@ -89,6 +97,8 @@ fn main() -> ExitCode {
         }
         Chore::Faults(chosen) => faults::check(chosen.boards(), chosen.number),
         Chore::Profile(chosen) => profile::show(&chosen),
+        Chore::Web(chosen) => web::run(&chosen),
+        Chore::Python => python::check(),
         Chore::Ci(chosen) => ci::run(&chosen),
         Chore::Boot { board, elf, png } => boot::show(board, &elf, &png),
     };

@@ -1,5 +1,5 @@
-//! A compiler for a board: rustup's where it has the target, or else Debian's, whose core library is
-//! built from its sources once and kept in the user's cache folder.
+//! A compiler for a board or a browser: rustup's where it has the target, or else Debian's, whose core
+//! library is built from its sources once and kept in the user's cache folder.
 
 use crate::board::{Board, Number};
 use crate::paths::root;
@@ -18,6 +18,9 @@ pub struct Toolchain {
 
 /// What firmware is built with: fat LTO, one codegen unit.
 const PROFILE: &str = "firmware";
+
+/// The target of a page.
+pub const WEB: &str = "wasm32-unknown-unknown";
 
 /// Debian's compiler, and the sources of its core library.
 pub const DEBIAN_PACKAGES: &str = "rustc-web cargo-web rust-web-src rust-web-llvm lld-22";
@@ -107,6 +110,8 @@ fn libraries(rustc: &Path, cargo: &Path, target: &str, version: &str) -> Result<
         return Ok(sysroot);
     }
     eprintln!("building the core library for {target}, once ...");
+    // A page needs an allocator, and what else there is without a system.
+    let crates = if target == WEB { "std,panic_abort" } else { "core,compiler_builtins" };
     let text = |error: std::io::Error| format!("{}: {error}", sysroot.display());
     let work = sysroot.join(format!("build-{target}-{}", std::process::id()));
     let source = work.join("src");
@@ -122,7 +127,8 @@ fn libraries(rustc: &Path, cargo: &Path, target: &str, version: &str) -> Result<
     build
         .current_dir(&work)
         .args(["build", "--quiet", "--release", "--target", target])
-        .args(["-Zbuild-std=core,compiler_builtins", "-Zbuild-std-features=compiler-builtins-mem"])
+        .arg(format!("-Zbuild-std={crates}"))
+        .arg("-Zbuild-std-features=compiler-builtins-mem")
         .env("RUSTC", rustc)
         .env("RUSTC_BOOTSTRAP", "1")
         // Link-time optimization needs it.
@@ -160,21 +166,41 @@ impl Toolchain {
     ) -> Result<PathBuf, String> {
         let target = board.target();
         let folder = root().join("target/boards").join(number.name());
-        let mut flags = format!("--cfg number=\"{number}\"");
-        let mut command = own(&self.cargo.to_string_lossy());
+        let mut command = self.cargo(target, &format!("--cfg number=\"{number}\""));
         command
-            .current_dir(root())
-            .args(["build", "--quiet", "--profile", PROFILE, "--target", target])
+            .args(["build", "--quiet", "--profile", PROFILE])
             .args(["--package", "examples", "--example", example])
             .args(["--features", &features.join(",")])
             .env("CARGO_TARGET_DIR", &folder);
+        output(&mut command)?;
+        Ok(folder.join(target).join(PROFILE).join("examples").join(example))
+    }
+
+    /// Builds the page's module.
+    pub fn build_web(&self) -> Result<PathBuf, String> {
+        let folder = root().join("target/web");
+        let mut command = self.cargo(WEB, "-Cstrip=symbols");
+        command
+            .args(["rustc", "--quiet", "--profile", PROFILE, "--package", "scancsg-web"])
+            .args(["--lib", "--crate-type", "cdylib"])
+            .env("CARGO_TARGET_DIR", &folder);
+        output(&mut command)?;
+        Ok(folder.join(WEB).join(PROFILE).join("scancsg_web.wasm"))
+    }
+
+    /// A command of cargo's that uses this compiler, with flags besides.
+    fn cargo(&self, target: &str, flags: &str) -> Command {
+        let mut flags = flags.to_owned();
+        let mut command = own(&self.cargo.to_string_lossy());
         if let Some((rustc, sysroot)) = &self.foreign {
             flags.push_str(&format!(" --sysroot={}", sysroot.display()));
             command.env("RUSTC", rustc).env_remove("RUSTUP_TOOLCHAIN");
         }
         let variable = target.to_ascii_uppercase().replace(['-', '.'], "_");
-        command.env(format!("CARGO_TARGET_{variable}_RUSTFLAGS"), flags);
-        output(&mut command)?;
-        Ok(folder.join(target).join(PROFILE).join("examples").join(example))
+        command
+            .current_dir(root())
+            .env(format!("CARGO_TARGET_{variable}_RUSTFLAGS"), flags)
+            .env("CARGO_BUILD_TARGET", target);
+        command
     }
 }

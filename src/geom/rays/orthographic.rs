@@ -9,6 +9,7 @@ use crate::scalar::{Number, Real, Scalar};
 
 /// The rays of an orthographic picture: all parallel to `forward`.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct OrthographicRays<S: Scalar> {
     /// What the middle of the picture shows.
     pub center: Vec3<S::Wide>,
@@ -67,6 +68,7 @@ impl<S: Scalar> PlaneRow<S> {
 
 /// A row of parallel rays.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct OrthographicRow<S: Scalar> {
     plane: PlaneRow<S>,
     direction: Vec3<S>,

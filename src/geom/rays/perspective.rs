@@ -12,6 +12,7 @@ use crate::scalar::{Number, Scalar};
 /// The ray of a pixel has the direction `forward + (X·right + Y·down)/distance`, so t is counted
 /// along the viewing direction and the eye lies at t = −`distance`.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PerspectiveRays<S: Scalar> {
     /// The steps of the image plane, as for parallel rays.
     pub plane: OrthographicRays<S>,
@@ -33,6 +34,7 @@ impl<S: Scalar> PerspectiveRays<S> {
 
 /// A row of a pencil of rays.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PerspectiveRow<S: Scalar> {
     plane: PlaneRow<S>,
     forward: Vec3<S::Wide>,

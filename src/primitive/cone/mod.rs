@@ -12,6 +12,7 @@ use crate::scalar::{ConstOps, Number, Real, Scalar, per_scalar};
 use crate::scan::bounds::Bounds;
 use crate::scan::leaf;
 use crate::span::{Face, Shape, Span, SpanStack};
+use core::ops::Range;
 
 /// A solid cone, or a piece of one between two flat caps: for countersinks, tapers and tips.
 ///
@@ -111,6 +112,17 @@ per_scalar! { $S: impl[] Cone<$S> {
         x: $S, y: $S, radii: [$S; 2], z_min: $S, z_max: $S,
     ) -> Result<Self, ConeError> {
         Self::inside(Cylinder::<$S>::along_z(x, y, Self::larger(radii), z_min, z_max), radii)
+    }
+
+    /// A cone along a coordinate axis, in a range of it, as [`Cylinder::spanning`]: with a radius at either
+    /// end.
+    ///
+    /// # Errors
+    /// As [`along_x`](Self::along_x).
+    pub const fn spanning(
+        axis: Axis, range: Range<$S>, at: [$S; 2], radii: [$S; 2],
+    ) -> Result<Self, ConeError> {
+        Self::inside(Cylinder::<$S>::spanning(axis, range, at, Self::larger(radii)), radii)
     }
 
     /// A cone from the middle of one cap to the middle of the other, with a radius at either.

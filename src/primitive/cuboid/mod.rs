@@ -10,6 +10,7 @@ use crate::scalar::{ConstOps, Scalar, per_scalar};
 use crate::scan::bounds::Bounds;
 use crate::scan::leaf;
 use crate::span::{Face, Shape, SpanStack};
+use core::ops::Range;
 
 /// A box along the coordinate axes: the points between two corners. Turn it with a
 /// [`Placed`](crate::solid::Placed).
@@ -76,6 +77,22 @@ per_scalar! { $S: impl[] Cuboid<$S> {
             () if !(low.is_within_reach() && high.is_within_reach()) => Err(CuboidError::TooFar),
             () => Ok(Self { corners: Corners { low, high } }),
         }
+    }
+
+    /// A box that spans a range of each coordinate.
+    ///
+    /// ```
+    /// use scancsg::geom::vec3;
+    /// use scancsg::solid::Cuboid;
+    ///
+    /// let plate = Cuboid::<f32>::spanning(0.0..4.0, 0.0..3.0, -0.1..0.1);
+    /// assert_eq!(plate, Cuboid::<f32>::new(vec3(0.0, 0.0, -0.1), vec3(4.0, 3.0, 0.1)));
+    /// ```
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub const fn spanning(x: Range<$S>, y: Range<$S>, z: Range<$S>) -> Result<Self, CuboidError> {
+        Self::new(Vec3::new(x.start, y.start, z.start), Vec3::new(x.end, y.end, z.end))
     }
 } }
 

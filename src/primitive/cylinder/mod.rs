@@ -15,6 +15,7 @@ use crate::scalar::{ConstOps, Real, Scalar, Stretch, per_scalar};
 use crate::scan::bounds::Bounds;
 use crate::scan::leaf;
 use crate::span::{Crossing, Face, Shape, Span, SpanStack};
+use core::ops::Range;
 
 /// A solid cylinder with flat caps: the infinite cylinder, cut by a slab.
 ///
@@ -80,6 +81,28 @@ per_scalar! { $S: impl[] Cylinder<$S> {
     ) -> Result<Self, CylinderError> {
         let caps = Planes { normal: Direction::<$S>::Z, low: z_min, high: z_max };
         Self::around(Vec3::new(x, y, ConstOps::<$S>::ZERO), radius, caps)
+    }
+
+    /// A cylinder along a coordinate axis, in a range of it, with the other two coordinates `at`, in the
+    /// order x, y, z: as [`along_x`](Self::along_x) and its like, to be read without counting numbers.
+    ///
+    /// ```
+    /// use scancsg::geom::Axis;
+    /// use scancsg::solid::Cylinder;
+    ///
+    /// let shaft = Cylinder::<f32>::spanning(Axis::X, -2.0..2.0, [0.0, 1.0], 0.5);
+    /// assert_eq!(shaft, Cylinder::<f32>::along_x(0.0, 1.0, 0.5, -2.0, 2.0));
+    /// ```
+    ///
+    /// # Errors
+    /// As [`along_x`](Self::along_x).
+    pub const fn spanning(
+        axis: Axis, range: Range<$S>, at: [$S; 2], radius: $S,
+    ) -> Result<Self, CylinderError> {
+        let normal = Direction::<$S>::along_axis(axis);
+        let [x, y, z] = axis.placed(ConstOps::<$S>::ZERO, at);
+        let caps = Planes { normal, low: range.start, high: range.end };
+        Self::around(Vec3::new(x, y, z), radius, caps)
     }
 
     /// A cylinder from the middle of one cap to the middle of the other.

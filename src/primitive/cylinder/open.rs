@@ -18,6 +18,7 @@ pub struct CylinderWall<S: Scalar> {
 /// Where a ray meets the wall first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct WallHit<S> {
     /// The ray's parameter, ≥ 0.
     pub t: S,

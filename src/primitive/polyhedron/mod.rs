@@ -1,14 +1,11 @@
 //! The convex polyhedron.
 
-mod error;
-mod half_space;
-mod hull;
 mod orthographic;
 mod perspective;
 
-pub use error::PolyhedronError;
-pub use half_space::HalfSpaceError;
+pub use crate::geom::hull::PolyhedronError;
 
+use crate::geom::hull::{self, Hull};
 use crate::geom::{Axis, Direction, Line, Vec3};
 use crate::quadric::{HalfSpace, meet};
 use crate::query::Solid;
@@ -16,7 +13,6 @@ use crate::scalar::{ConstOps, Number, Scalar, per_scalar};
 use crate::scan::bounds::Bounds;
 use crate::scan::leaf;
 use crate::span::{Face, Shape, SpanStack};
-use hull::Hull;
 
 /// A convex polyhedron of up to `N` faces: what all of its half-spaces have in common. Use it for prisms,
 /// wedges, frustums and convex hulls.

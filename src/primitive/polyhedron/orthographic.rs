@@ -1,4 +1,4 @@
-//! Half-spaces and polyhedra along parallel rays.
+//! Polyhedra along parallel rays.
 //!
 //! Rays enter at the same faces and exit at the same faces all over the picture. How far an entered face
 //! lies before an exited one is affine in the column, which gives the exact silhouette.
@@ -12,29 +12,6 @@ use crate::scan::bounds::{Outline, Rectangle, Silhouette, Steps};
 use crate::scan::planes::{OrthographicFace, OrthographicView};
 use crate::scan::{Empty, Leaf};
 use crate::span::{Crossing, Face, Span};
-
-impl<S: Scalar> Leaf<OrthographicRays<S>> for HalfSpace<S> {
-    type View = OrthographicView<S>;
-    type Row = OrthographicFace<S>;
-    type Spans = [Span<S>; 1];
-
-    fn view(&self, rays: &OrthographicRays<S>) -> Self::View {
-        OrthographicView::new(&self.normal, rays)
-    }
-
-    fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
-        *row = self.orthographic_face(view, y, columns);
-        Extent::all(columns)
-    }
-
-    #[inline]
-    fn spans(&self, view: &Self::View, row: &Self::Row, x: i32, [span]: &mut [Span<S>; 1]) {
-        *span = Span::whole_line(Face(0));
-        if !self.cut_orthographic(view, row, x, Face(0), span) {
-            *span = Span::NOWHERE;
-        }
-    }
-}
 
 /// A polyhedron, seen along parallel rays.
 #[derive(Debug, Clone, Copy)]

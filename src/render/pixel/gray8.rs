@@ -6,6 +6,7 @@ use crate::solid::Rgb;
 /// A grey pixel of eight bits, 0 black to 255 white.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Gray8(pub u8);
 
 impl Pixel for Gray8 {

@@ -7,21 +7,27 @@
 //! level and the colour alone, not on the number type of the scene.
 
 mod blend;
+mod bytes;
 mod gray8;
 mod level;
+mod mono;
 mod rgb565;
+mod rgb888;
 
 pub use blend::{Blend, mean};
+pub use bytes::Rgb565Be;
 pub use gray8::Gray8;
 pub use level::{narrow, scale};
+pub use mono::Mono;
 pub use rgb565::Rgb565;
+pub use rgb888::Rgb888;
 
 use crate::solid::Rgb;
 
 /// A pixel that a row can be made of.
 ///
-/// Implement it for the colours of your display, and a picture renders into a row of them. [`Gray8`]
-/// and [`Rgb565`] are ready; [`scale`] and [`narrow`] do the arithmetic of others.
+/// Implement it for the colours of your display, and a picture renders into a row of them. [`Gray8`],
+/// [`Rgb565`], [`Rgb888`] and [`Mono`] are ready; [`scale`] and [`narrow`] do the arithmetic of others.
 ///
 /// ```
 /// use scancsg::geom::vec3;
@@ -48,6 +54,11 @@ use crate::solid::Rgb;
 /// assert_eq!(row, [false, true, true, false].map(Lit));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a pixel",
+    label = "not a pixel",
+    note = "pixels are `Gray8`, `Mono`, `Rgb565`, `Rgb565Be`, `Rgb888`, or a type of yours that implements `Pixel`"
+)]
 pub trait Pixel: Copy {
     /// The pixel of a surface of this colour, lit with `level` (0 dark to 255 full).
     fn shaded(color: Rgb, level: u8) -> Self;

@@ -6,6 +6,7 @@ use crate::solid::Rgb;
 /// A colour pixel of 16 bits: red in bits 15..11, green in 10..5, blue in 4..0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Rgb565(pub u16);
 
 impl Pixel for Rgb565 {

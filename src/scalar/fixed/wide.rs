@@ -1,7 +1,7 @@
 //! 64-bit fixed point: the numbers that a fixed-point picture is set up with.
 
 use crate::numeric::integer::{long_quotient, long_root, shift_right, shift_right_wide};
-use crate::numeric::steps;
+use crate::numeric::{sin_cos_of_quarters, steps, unsigned_product};
 use crate::scalar::grid::nearest_units;
 use crate::scalar::number::{Number, Real, sealed::Sealed};
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -198,9 +198,11 @@ impl Real for Wide {
 
     #[inline(never)]
     fn holds_steps(self, step: Self, count: i32) -> bool {
-        let way = i128::from(step.0) * i128::from(count.unsigned_abs());
-        let most = i128::from(self.0.unsigned_abs()) + way.abs();
-        most <= i128::from(i64::MAX)
+        let (size, count) = (step.0.unsigned_abs(), count.unsigned_abs());
+        let [high, low] = [(size >> 32) as u32, size as u32].map(|of| unsigned_product(of, count));
+        let room = i64::MAX.unsigned_abs().checked_sub(self.0.unsigned_abs());
+        // Both summands are below 2^63.
+        high < 1 << 31 && room.is_some_and(|room| (high << 32) + low <= room)
     }
 
     #[inline(never)]
@@ -230,33 +232,10 @@ impl Real for Wide {
 }
 
 /// Sine and cosine, as multiples of 2^−62, of an angle in multiples of 2^−32.
-///
-/// The angle is taken to within π/4 of a multiple of π/2, and the Taylor series is summed from
-/// its eighth term on: what is left out is less than 10^−16.
 fn sin_cos(angle: i64) -> (i64, i64) {
-    /// 2/π and π/2 as multiples of 2^−64 and 2^−62.
+    /// 2/π as a multiple of 2^−64.
     const QUARTERS: i128 = 0xa2f9_836e_4e44_152a;
-    const QUARTER: i64 = 0x6487_ed51_10b4_611a;
-    const ONE: i64 = 1 << 62;
-    let times = |a: i64, b: i64| ((i128::from(a) * i128::from(b)) >> 62) as i64;
-
-    // In quarters of a turn, as multiples of 2^−62.
-    let turned = (i128::from(angle) * QUARTERS) >> 34;
-    let quarter = (turned + (1 << 61)) >> 62;
-    let angle = times((turned - (quarter << 62)) as i64, QUARTER);
-
-    let square = times(angle, angle);
-    let series = |factors: [i64; 7]| {
-        factors.into_iter().fold(ONE, |rest, factor| ONE - times(square, rest) / factor)
-    };
-    let sin = times(angle, series([210, 156, 110, 72, 42, 20, 6]));
-    let cos = series([182, 132, 90, 56, 30, 12, 2]);
-    match quarter & 3 {
-        0 => (sin, cos),
-        1 => (cos, -sin),
-        2 => (-sin, -cos),
-        _ => (-cos, sin),
-    }
+    sin_cos_of_quarters((i128::from(angle) * QUARTERS) >> 34)
 }
 
 #[cfg(test)]
@@ -311,6 +290,20 @@ mod tests {
             let step = Wide(i64::MAX / 10);
             let start = Wide(at.wrapping_sub(step.0.wrapping_mul(i64::from(count))));
             prop_assert_eq!(start.after_steps(step, count), Wide(at));
+        }
+
+        #[test]
+        fn steps_are_held_up_to_the_last_unit(step: i64, shift in 0..63u32, count: i32, off in -1i128..=1) {
+            let step = step >> shift;
+            let way = i128::from(step).abs() * i128::from(count.unsigned_abs());
+            let room = i128::from(i64::MAX) - way + off;
+            for at in [room, -room, room.clamp(i64::MIN.into(), i64::MAX.into())] {
+                if let Ok(at) = i64::try_from(at) {
+                    let most = i128::from(at.unsigned_abs()) + way;
+                    let fits = most <= i128::from(i64::MAX);
+                    prop_assert_eq!(Wide(at).holds_steps(Wide(step), count), fits, "{}, {}", at, step);
+                }
+            }
         }
     }
 

@@ -12,6 +12,7 @@ use crate::scalar::{Number, Real, Scalar};
 /// d = (x, y, 1). It meets the ball around c where `r²|d|² − |c × d|² ≥ 0`, with c as seen from the
 /// eye. Both vectors are affine in the column, and the eye's distance cancels out of the second.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PerspectiveBall<S: Scalar> {
     /// As seen from the middle of the picture, in the camera's frame.
     center: Vec3<S::Wide>,

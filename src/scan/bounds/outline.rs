@@ -18,6 +18,7 @@ use crate::scan::Empty;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Bounds<S> {
     /// Nothing is known, or the solid has no end.
@@ -160,6 +161,7 @@ pub trait Silhouette {
 
 /// Every pixel: the silhouette of what has no bounds, or of rays that know none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Anywhere;
 
 impl Empty for Anywhere {
@@ -189,6 +191,7 @@ impl<T: Silhouette> Silhouette for Option<T> {
 
 /// A rectangle in the image plane.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rectangle {
     rows: Rows,
     columns: Steps,

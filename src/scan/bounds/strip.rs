@@ -11,6 +11,7 @@ use crate::scan::Empty;
 /// Pixels next to each other, by their half pixels from the middle of the picture: none, if the last
 /// one is before the first.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct Steps {
     first: i32,
     last: i32,
@@ -88,6 +89,7 @@ impl Steps {
 
 /// The rows in which a solid can be seen.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rows {
     /// In pixels from the middle of the picture, rounded down.
     first: i16,

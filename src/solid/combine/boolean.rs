@@ -18,12 +18,15 @@ pub type Difference<L, R> = Boolean<LeftOnly, L, R>;
 
 /// The operation of a [`Union`].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Either {}
 /// The operation of an [`Intersection`].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Both {}
 /// The operation of a [`Difference`].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum LeftOnly {}
 
 /// A boolean operation as a type.
@@ -67,6 +70,7 @@ impl Rule for LeftOnly {
 
 /// Two solids and what to do with them: [`Union`], [`Intersection`] or [`Difference`].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Boolean<O, L, R> {
     left: L,
     right: R,

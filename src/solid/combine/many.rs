@@ -21,6 +21,7 @@
 ///
 /// Faces are counted as in an array of `N`: the i-th solid's begin at i times their number.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Many<T, const N: usize> {
     /// Behind the last one, the first one again and again.
     items: [T; N],

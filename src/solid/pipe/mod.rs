@@ -64,6 +64,7 @@ type Parts<S, const SEGMENTS: usize> = Union<Many<Cylinder<S>, SEGMENTS>, Many<J
 /// (the wall). Those of the joints come behind 3·`SEGMENTS`, five to a segment, and only the first of
 /// five can be seen.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Pipe<S: Scalar, const SEGMENTS: usize> {
     parts: Parts<S, SEGMENTS>,
     segments: usize,

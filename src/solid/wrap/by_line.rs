@@ -4,7 +4,7 @@ use crate::geom::{Extent, Line, RayRow, Vec3};
 use crate::scan::bounds::{Bounds, Outline, Silhouette};
 use crate::scan::{Leaf, leaf};
 use crate::solid::{Rgb, Solid};
-use crate::span::{Face, Shape, Span, SpanList, SpanStack};
+use crate::span::{Face, Shape, Span, SpanList, SpanStack, check_room};
 
 /// Any [`Solid`], seen along any [`Rays`](crate::geom::Rays): wrap a solid of your own in it, or one of the crate's that
 /// is to be seen by a camera of your own.
@@ -69,6 +69,7 @@ use crate::span::{Face, Shape, Span, SpanList, SpanStack};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ByLine<T, const N: usize = 1> {
     solid: T,
 }
@@ -77,7 +78,7 @@ impl<T: Shape, const N: usize> ByLine<T, N> {
     /// Wraps a solid whose lines have at most `N` spans.
     #[must_use]
     pub const fn new(solid: T) -> Self {
-        const { assert!(N >= T::STACK, "N is less than the Shape::STACK of the solid") };
+        const { check_room(N, T::STACK) };
         Self { solid }
     }
 

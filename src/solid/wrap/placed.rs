@@ -33,6 +33,7 @@ use crate::span::Shape;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Placed<T: Shape> {
     solid: T,
     pose: Pose<T::Scalar>,

@@ -2,7 +2,7 @@
 
 use super::nearby::{anchor, shifted};
 use crate::geom::{Line, Pose, Rays, Vec3};
-use crate::scalar::Number;
+use crate::scalar::{Number, Scalar};
 use crate::scan::bounds::Bounds;
 use crate::scan::{ColumnRun, Scan};
 use crate::solid::{Rgb, Solid};
@@ -50,6 +50,20 @@ pub trait Wrap {
         None
     }
 
+    /// Whether a face of the solid inside is covered by others. A ray may still meet it at its edge, within the
+    /// rounding of a parameter; there it looks like the face [over it](Self::face_over).
+    #[inline]
+    fn is_covered(&self, face: Face) -> bool {
+        let _ = face;
+        false
+    }
+
+    /// The face over a covered one, near a point in the frame of the solid inside.
+    fn face_over(&self, face: Face, at: Vec3<<Self::Inner as Shape>::Scalar>) -> Face {
+        let _ = at;
+        face
+    }
+
     /// The colour of a face, by that of the solid inside.
     fn color(&self, inner: Option<Rgb>) -> Option<Rgb> {
         inner
@@ -65,6 +79,7 @@ impl<T: Shape> Wrap for &T {
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<W: Wrap> Shape for W {
     type Scalar = <W::Inner as Shape>::Scalar;
     const SPANS: usize = W::Inner::SPANS;
@@ -72,6 +87,32 @@ impl<W: Wrap> Shape for W {
     const FACES: u16 = W::Inner::FACES;
 }
 
+/// The normal of a face in the frame of the solid inside.
+#[inline]
+fn own_normal<S: Scalar, W: Wrap<Inner: Solid<Scalar = S>>>(
+    of: &W,
+    face: Face,
+    at: Vec3<S>,
+) -> Vec3<S> {
+    let face = if of.is_covered(face) { of.face_over(face, at) } else { face };
+    of.inner().normal(face, at)
+}
+
+/// As [`own_normal`], its scalar product with a vector.
+#[inline]
+fn own_cosine<S: Scalar, W: Wrap<Inner: Solid<Scalar = S>>>(
+    of: &W,
+    face: Face,
+    at: impl FnOnce() -> Vec3<S>,
+    to: Vec3<S>,
+) -> S {
+    if of.is_covered(face) {
+        return own_normal(of, face, at()).dot(to);
+    }
+    of.inner().cosine(face, at, to)
+}
+
+#[diagnostic::do_not_recommend]
 impl<W: Wrap<Inner: Solid>> Solid for W {
     #[inline]
     fn spans(
@@ -95,8 +136,8 @@ impl<W: Wrap<Inner: Solid>> Solid for W {
 
     fn normal(&self, face: Face, at: Vec3<Self::Scalar>) -> Vec3<Self::Scalar> {
         match self.pose() {
-            Some(pose) => pose.direction(self.inner().normal(face, pose.point_back(at))),
-            None => self.inner().normal(face, at),
+            Some(pose) => pose.direction(own_normal(self, face, pose.point_back(at))),
+            None => own_normal(self, face, at),
         }
     }
 
@@ -120,10 +161,8 @@ impl<W: Wrap<Inner: Solid>> Solid for W {
         to: Vec3<Self::Scalar>,
     ) -> Self::Scalar {
         match self.pose() {
-            Some(pose) => {
-                self.inner().cosine(face, || pose.point_back(at()), pose.direction_back(to))
-            }
-            None => self.inner().cosine(face, at, to),
+            Some(pose) => own_cosine(self, face, || pose.point_back(at()), pose.direction_back(to)),
+            None => own_cosine(self, face, at, to),
         }
     }
 
@@ -132,6 +171,7 @@ impl<W: Wrap<Inner: Solid>> Solid for W {
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<R, W> Scan<R> for W
 where
     W: Wrap<Inner: Scan<R>>,

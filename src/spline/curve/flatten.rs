@@ -19,6 +19,7 @@ pub struct Vertex<P: Point> {
 
 /// The vertices of a polyline that approximates a curve: see [`Curve::flatten`].
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Flatten<'a, P: Point, const K: usize> {
     vertices: Vertices<'a, P, K>,
 }
@@ -26,6 +27,7 @@ pub struct Flatten<'a, P: Point, const K: usize> {
 /// The lengths of a curve from its beginning up to the vertices of a polyline: see
 /// [`Curve::lengths`].
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lengths<'a, P: Point, const K: usize> {
     vertices: Vertices<'a, P, K>,
     last: Option<Inner<P>>,

@@ -42,6 +42,7 @@ use tick_basis::TickBasis;
 /// # Ok::<(), scancsg::spline::SweepError>(())
 /// ```
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Sweep<'a, P: Point, const K: usize> {
     points: &'a [P],
     pace: Pace<'a, P::Scalar>,

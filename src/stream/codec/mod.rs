@@ -1,10 +1,16 @@
 //! How a row's pixels are written down: one file for each encoding, and the choice between them.
 
+mod coding;
 mod packbits;
+mod predictive;
 mod raw;
 
+pub use coding::{Coding, Plain, RowCoding};
+pub(super) use predictive::unpack;
+pub use predictive::{Predictable, Predictive, PredictiveMono};
+
 use super::error::UnpackError;
-use super::pixel::{PixelFormat, WirePixel};
+use super::pixel::{PixelFormat, Units, WirePixel};
 
 /// How a row's pixels are written down.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -37,7 +43,8 @@ impl Encoding {
 
     /// The encoding in which these pixels are shortest; of two that are equally short, the simpler one.
     pub(super) fn shortest<P: WirePixel>(pixels: &[P]) -> Self {
-        if packbits::len(pixels) < raw::len(pixels) { Self::PackBits } else { Self::Raw }
+        let units = Units(pixels);
+        if packbits::len(units) < units.bytes() { Self::PackBits } else { Self::Raw }
     }
 
     /// Gives the pixels, in this encoding, to `put`, some bytes at a time and never none.
@@ -47,8 +54,8 @@ impl Encoding {
         put: &mut impl FnMut(&[u8]) -> Result<(), E>,
     ) -> Result<(), E> {
         match self {
-            Self::Raw => raw::pack(pixels, put),
-            Self::PackBits => packbits::pack(pixels, put),
+            Self::Raw => raw::pack(Units(pixels), put),
+            Self::PackBits => packbits::pack(Units(pixels), put),
         }
     }
 

@@ -1,103 +1,89 @@
 //! PackBits run-length coding in units of pixels.
 //!
 //! Apple Technical Note TN1023, "Understanding PackBits"; TIFF 6.0, section 9. There the unit is a byte;
-//! here it is a pixel of one or two bytes, so that an even area of RGB565 is a run too. A control byte
-//! `n`, read as signed, goes before each chunk:
+//! here it is a pixel of one to three bytes, so that an even area of RGB565 is a run too, or eight pixels
+//! of one bit. A control byte `n`, read as signed, goes before each chunk:
 //!
-//! - 0..=127: n + 1 pixels follow as they are;
-//! - -127..=-1: one pixel follows, to be repeated 1 - n times;
+//! - 0..=127: n + 1 units follow as they are;
+//! - -127..=-1: one unit follows, to be repeated 1 - n times;
 //! - -128: nothing follows (never written here, skipped when read).
 
 use super::raw;
 use crate::stream::error::UnpackError;
-use crate::stream::pixel::{PixelFormat, WirePixel};
+use crate::stream::pixel::{PixelFormat, Units, Wire, WirePixel};
 
-/// The most pixels that one control byte can stand for.
+/// The most units that one control byte can stand for.
 const MAX_CHUNK: usize = 128;
 
 /// The control byte that stands for nothing: -128.
 const NO_OP: u8 = 0x80;
 
-/// One control byte's worth of pixels.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Chunk<'a, P> {
-    /// 1..=128 pixels as they are.
-    Literal(&'a [P]),
-    /// One pixel, 2..=128 times.
-    Repeat(P, u8),
-}
-
-impl<P> Chunk<'_, P> {
-    /// The control byte before the chunk's pixels.
-    const fn control(&self) -> u8 {
-        match *self {
-            Self::Literal(pixels) => (pixels.len() as u8).wrapping_sub(1),
-            Self::Repeat(_, count) => 1_u8.wrapping_sub(count),
-        }
-    }
-
-    /// The pixels after the control byte.
-    const fn pixels(&self) -> &[P] {
-        match self {
-            Self::Literal(pixels) => pixels,
-            Self::Repeat(pixel, _) => core::slice::from_ref(pixel),
-        }
-    }
+/// One control byte's worth of units.
+#[derive(Clone, Copy)]
+struct Chunk<'a, P> {
+    control: u8,
+    /// 1..=128 units as they are, or one that is repeated.
+    units: Units<'a, P>,
 }
 
 /// Cuts a row into chunks. Walking it costs no memory, so an encoder walks it twice: once for the
 /// length, once for the bytes.
-fn chunks<P: WirePixel>(mut rest: &[P]) -> impl Iterator<Item = Chunk<'_, P>> {
+fn chunks<P: WirePixel>(mut rest: Units<'_, P>) -> impl Iterator<Item = Chunk<'_, P>> {
     core::iter::from_fn(move || {
-        let (chunk, others) = first_chunk(rest)?;
-        rest = others;
+        let (chunk, count) = first_chunk(rest)?;
+        rest = rest.skip(count);
         Some(chunk)
     })
 }
 
-/// The chunk at the start of a row, and the pixels behind it.
-fn first_chunk<P: WirePixel>(pixels: &[P]) -> Option<(Chunk<'_, P>, &[P])> {
+/// The chunk at the start of a row, and how many units it stands for.
+fn first_chunk<P: WirePixel>(units: Units<'_, P>) -> Option<(Chunk<'_, P>, usize)> {
     // With no literal open, a run of two is never longer than the literal that it replaces.
-    let run = run_length(pixels, MAX_CHUNK);
+    let run = run_length(units, MAX_CHUNK);
     if run >= 2 {
-        return Some((Chunk::Repeat(*pixels.first()?, run as u8), pixels.get(run..)?));
+        let control = 1_u8.wrapping_sub(run as u8);
+        return Some((Chunk { control, units: units.take(1) }, run));
     }
-    // A run that breaks a literal in two costs a control byte more. Two pixels of two bytes pay for
-    // it (4 bytes against 1 + 2 + 1), one-byte pixels only from three on (3 bytes against 1 + 1 + 1).
-    let worthwhile = if P::FORMAT.bytes_per_pixel() == 1 { 3 } else { 2 };
+    // A run that breaks a literal in two costs a control byte more. Two units of two bytes pay for
+    // it (4 bytes against 1 + 2 + 1), one-byte units only from three on (3 bytes against 1 + 1 + 1).
+    let worthwhile = if P::Wire::FORMAT.unit_bytes() == 1 { 3 } else { 2 };
     let mut len = run;
     while len < MAX_CHUNK {
-        let run = run_length(pixels.get(len..)?, worthwhile);
+        let run = run_length(units.skip(len), worthwhile);
         if run == 0 || run >= worthwhile {
             break;
         }
         len += run;
     }
-    let (literal, rest) = pixels.split_at_checked(len.min(MAX_CHUNK))?;
-    (!literal.is_empty()).then_some((Chunk::Literal(literal), rest))
+    let len = len.min(MAX_CHUNK);
+    let control = (len as u8).checked_sub(1)?;
+    Some((Chunk { control, units: units.take(len) }, len))
 }
 
-/// The size of the packed pixels in bytes.
-pub(super) fn len<P: WirePixel>(pixels: &[P]) -> usize {
-    chunks(pixels)
-        .fold(0, |sum: usize, chunk| sum.saturating_add(raw::len(chunk.pixels())).saturating_add(1))
+/// The size of the packed units in bytes.
+pub(super) fn len<P: WirePixel>(units: Units<'_, P>) -> usize {
+    chunks(units)
+        .fold(0, |sum: usize, chunk| sum.saturating_add(chunk.units.bytes()).saturating_add(1))
 }
 
-/// Gives the packed pixels to `put`, some bytes at a time.
+/// Gives the packed units to `put`, some bytes at a time.
 pub(super) fn pack<P: WirePixel, E>(
-    pixels: &[P],
+    units: Units<'_, P>,
     put: &mut impl FnMut(&[u8]) -> Result<(), E>,
 ) -> Result<(), E> {
-    chunks(pixels).try_for_each(|chunk| {
-        put(&[chunk.control()])?;
-        raw::pack(chunk.pixels(), put)
+    chunks(units).try_for_each(|chunk| {
+        put(&[chunk.control])?;
+        raw::pack(chunk.units, put)
     })
 }
 
-/// How many pixels at the start are alike, at most `cap`.
-fn run_length<P: WirePixel>(pixels: &[P], cap: usize) -> usize {
-    let first = pixels.first();
-    pixels.iter().take(cap).take_while(|pixel| Some(*pixel) == first).count()
+/// How many units at the start are alike, at most `cap`.
+fn run_length<P: WirePixel>(units: Units<'_, P>, cap: usize) -> usize {
+    let mut units = units.iter().take(cap);
+    match units.next() {
+        Some(first) => 1 + units.take_while(|unit| *unit == first).count(),
+        None => 0,
+    }
 }
 
 /// Takes the next run off `packed`: its bytes, and how often they stand in the row.
@@ -118,7 +104,7 @@ pub(super) fn take_run<'a>(
         } else {
             (1, 257 - usize::from(control))
         };
-        let size = pixels.saturating_mul(format.bytes_per_pixel());
+        let size = pixels.saturating_mul(format.unit_bytes());
         let (bytes, rest) = rest.split_at_checked(size).ok_or(UnpackError::Truncated)?;
         *packed = rest;
         return Ok(Some((bytes, count)));
@@ -142,13 +128,13 @@ mod tests {
             bytes.extend_from_slice(more);
             Ok::<_, ()>(())
         };
-        assert_eq!(pack(pixels, &mut put), Ok(()));
+        assert_eq!(pack(Units(pixels), &mut put), Ok(()));
         bytes
     }
 
     /// The least size of any packing, by dynamic programming over all ways to cut the row.
     fn shortest<P: WirePixel>(pixels: &[P]) -> usize {
-        let bpp = P::FORMAT.bytes_per_pixel();
+        let bpp = P::Wire::FORMAT.unit_bytes();
         let mut best = std::vec![0_usize; pixels.len() + 1];
         for end in 1..=pixels.len() {
             let mut alike = true;
@@ -177,11 +163,8 @@ mod tests {
     #[test]
     fn chunks_of_a_row() {
         let row: Vec<_> = [1, 2, 2, 3, 3, 3, 3, 4].map(Gray8).into();
-        let cut: Vec<_> = chunks(&row).collect();
-        assert_eq!(
-            cut,
-            [Chunk::Literal(&row[..3]), Chunk::Repeat(Gray8(3), 4), Chunk::Literal(&row[7..])]
-        );
+        let cut: Vec<_> = chunks(Units(&row)).map(|cut| (cut.control, cut.units.0)).collect();
+        assert_eq!(cut, [(2, &row[..3]), (0xFD, &row[3..4]), (0, &row[7..])]);
         assert_eq!(packed(&row), [2, 1, 2, 2, 0xFD, 3, 0, 4]);
     }
 
@@ -206,15 +189,14 @@ mod tests {
 
     fn check<P: WirePixel>(pixels: &[P]) -> Result<(), TestCaseError> {
         let packed = packed(pixels);
-        prop_assert_eq!(packed.len(), len(pixels));
+        prop_assert_eq!(packed.len(), len(Units(pixels)));
         // Exactly, until the limit of 128 pixels cuts a chunk where a cleverer cut would save a byte.
         let excess = packed.len() - shortest(pixels);
         prop_assert!(excess <= pixels.len() / MAX_CHUNK, "{} bytes too long", excess);
-        let raw: Vec<u8> =
-            pixels.iter().flat_map(|p| Vec::from(p.to_le_bytes().as_ref())).collect();
+        let raw: Vec<u8> = Units(pixels).iter().flat_map(|unit| Vec::from(unit.as_ref())).collect();
         let mut row = std::vec![0; raw.len()];
         let payload = RowPayload { encoding: Encoding::PackBits, bytes: &packed };
-        prop_assert_eq!(payload.unpack(P::FORMAT, &mut row), Ok(()));
+        prop_assert_eq!(payload.unpack(P::Wire::FORMAT, &mut row), Ok(()));
         prop_assert_eq!(row, raw);
         Ok(())
     }

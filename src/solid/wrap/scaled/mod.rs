@@ -51,6 +51,7 @@ use crate::span::{Face, Shape, SpanStack};
 ///
 /// A camera of your own sees it inside a [`ByLine`](super::ByLine).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scaled<T: Shape> {
     solid: T,
     map: AffineMap<T::Scalar>,

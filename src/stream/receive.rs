@@ -1,0 +1,49 @@
+//! The loop of a receiver over a line.
+
+use embedded_io::{Read, ReadReady, Write};
+
+use super::assembler::Event;
+use super::clock::Clock;
+use super::receiver::Receiver;
+use super::serve::write;
+use super::serve_error::ServeError;
+
+/// Listens to the line until something has happened, and answers the sender: the receiving end of
+/// [`serve`](super::serve).
+///
+/// Call it again and again. It returns with [`Event::Complete`] for each whole frame, and with the smaller
+/// events before that. `read_ready` must not wait.
+///
+/// # Errors
+///
+/// [`ServeError::Write`], [`ServeError::Read`] or [`ServeError::Closed`] if the line fails.
+pub fn receive<L, const N: usize>(
+    receiver: &mut Receiver<'_, N>,
+    line: &mut L,
+    clock: &mut impl Clock,
+) -> Result<Event, ServeError<L::Error>>
+where
+    L: Read + ReadReady + Write + ?Sized,
+{
+    loop {
+        let event = if line.read_ready().map_err(ServeError::Read)? {
+            let mut byte = [0];
+            if line.read(&mut byte).map_err(ServeError::Read)? == 0 {
+                return Err(ServeError::Closed);
+            }
+            receiver.receive(&mut &byte[..], clock.now())
+        } else {
+            clock.idle(1);
+            None
+        };
+        // Also while bytes come: they may be noise.
+        let event = event.or_else(|| receiver.poll(clock.now()));
+        while let Some(answer) = receiver.answer() {
+            write(line, answer)?;
+            line.flush().map_err(ServeError::Write)?;
+        }
+        if let Some(event) = event {
+            return Ok(event);
+        }
+    }
+}

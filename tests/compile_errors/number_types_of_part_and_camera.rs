@@ -1,0 +1,19 @@
+//~ a camera with the rays `OrthographicRays<f32>` can't take a picture of `Sphere<
+//~ a part, its camera, its light and its rays have one number type
+use scancsg::geom::vec3;
+use scancsg::render::{Gray8, Lambert, Orthographic, Picture, Size};
+use scancsg::{scalar::I16F16, solid::Sphere};
+
+fn picture() -> Result<(), scancsg::Error> {
+    let one = I16F16::from_num(1);
+    let ball = Sphere::<I16F16>::new(vec3(one, one, one), one)?;
+    let (eye, target, up) = (vec3(0.0_f32, 0.0, 5.0), vec3(0.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0));
+    let camera = Orthographic::look_at(eye, target, up, 3.0)?;
+    let light = Lambert::new(eye, 0.2)?;
+    let _ = Picture::new(&ball, &camera, Size::new(16, 12)?, light, Gray8(0));
+    Ok(())
+}
+
+fn main() {
+    let _ = picture();
+}
