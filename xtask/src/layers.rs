@@ -7,7 +7,7 @@ use std::path::Path;
 
 /// The folders of `src/`, the lowest first. What isn't here (`error.rs`, say) is beside them: all may
 /// import it, and it imports none of them.
-const LAYERS: [&str; 14] = [
+const LAYERS: [&str; 15] = [
     "numeric",
     "scalar",
     "span",
