@@ -51,6 +51,14 @@ fn main() -> ! {
         // For `cargo xtask profile`.
         frame(0);
     }
+    let coded: u32 = (0..coding::PACKETS.into())
+        .map(|packet| {
+            let rendered = counter.instructions(coding::rendered, packet);
+            counter.instructions(coding::coded, packet).saturating_sub(rendered)
+        })
+        .sum();
+    let pixels = u32::from(frames::WIDTH) * u32::from(frames::HEIGHT);
+    report(["code a frame by prediction, a pixel", ""], coded / pixels);
     for programs::Built { name, program, view, row, frame } in programs::PROGRAMS {
         let built = counter.instructions(*program, 0);
         let of_view = counter.instructions(*view, 0);
@@ -64,14 +72,6 @@ fn main() -> ! {
         // For `cargo xtask profile`.
         frame(0);
     }
-    let coded: u32 = (0..coding::PACKETS.into())
-        .map(|packet| {
-            let rendered = counter.instructions(coding::rendered, packet);
-            counter.instructions(coding::coded, packet).saturating_sub(rendered)
-        })
-        .sum();
-    let pixels = u32::from(frames::WIDTH) * u32::from(frames::HEIGHT);
-    report(["code a frame by prediction, a pixel", ""], coded / pixels);
     report(["points", ""], parts::digest());
     loop {
         board::finish(counter.error() <= 1);

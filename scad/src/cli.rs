@@ -1,0 +1,133 @@
+//! The command line.
+
+use clap::Parser;
+use indicatif::{ProgressBar, ProgressStyle};
+use scancsg_scad::picture::{Angles, BACKGROUND, View, render, write_png};
+use scancsg_scad::scene::Scene;
+use scancsg_scad::{Error, ErrorKind, Lowered, Model, lower, measure, parse, read, rust};
+use std::fs;
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+/// Prints a line. Whoever reads it may have gone.
+macro_rules! say {
+    ($($line:tt)*) => {{ let _ = writeln!(io::stdout(), $($line)*); }};
+}
+
+/// Reads a part of OpenSCAD's and shows, measures or checks it.
+///
+/// Without --out and --report, it says only whether the part is modelled.
+#[derive(Debug, Parser)]
+#[command(
+    version,
+    after_help = "\
+Exit codes: 0 it worked; 1 a file can't be read or written; 2 wrong options; 3 the file has an error;
+4 something isn't modelled (--skip goes on without it).
+
+Modelled: cube, sphere, cylinder, convex polyhedron, circle, square, polygon, group, union, difference,
+intersection, multmatrix, resize, color, render, linear_extrude without twist, rotate_extrude, offset, hull,
+minkowski of unions of convex solids."
+)]
+pub struct Options {
+    /// The part: a .csg file, or a .scad file where `openscad` is installed.
+    part: PathBuf,
+    /// Writes a picture: a PNG file.
+    #[arg(long, short, value_name = "PNG")]
+    out: Option<PathBuf>,
+    /// The picture's width and height in pixels.
+    #[arg(long, value_name = "WxH", default_value = "640x480", value_parser = size)]
+    size: [u16; 2],
+    /// From where: turns about x, y and z in degrees, as in OpenSCAD. 0,0,0 is from above, 90,0,0 from the front.
+    #[arg(long, value_name = "X,Y,Z", default_value = "55,0,25", value_parser = angles, allow_hyphen_values = true)]
+    camera: Angles,
+    /// Writes a constant of Rust: the part in typed solids, in `f32`.
+    #[arg(long, value_name = "RS")]
+    rust: Option<PathBuf>,
+    /// Goes on without what isn't modelled, and says what that is.
+    #[arg(long)]
+    skip: bool,
+    /// Says what the part is made of and what it measures.
+    #[arg(long)]
+    report: bool,
+    /// How many pixels a side the measuring has: twice as many, a third of the error.
+    #[arg(long, value_name = "N", default_value_t = 400, value_parser = clap::value_parser!(u16).range(10..=4000))]
+    pixels: u16,
+}
+
+fn size(text: &str) -> Result<[u16; 2], String> {
+    let parts: Option<Vec<u16>> =
+        text.split('x').map(|part| part.parse().ok().filter(|n| *n > 0)).collect();
+    parts.and_then(|parts| parts.try_into().ok()).ok_or_else(|| "a size is written 640x480".into())
+}
+
+fn angles(text: &str) -> Result<Angles, String> {
+    let parts: Option<Vec<f64>> = text.split(',').map(|part| part.trim().parse().ok()).collect();
+    let parts: Option<[f64; 3]> = parts.and_then(|parts| parts.try_into().ok());
+    parts.map(Angles).ok_or_else(|| "three angles are written 55,0,25".into())
+}
+
+/// What the command does. An error comes with the exit code.
+pub fn run(options: &Options) -> Result<(), (u8, Error)> {
+    act(options).map_err(|error| {
+        let code = match error.kind {
+            ErrorKind::File(_) => 1,
+            ErrorKind::NotModelled(_) => 4,
+            _ => 3,
+        };
+        (code, error)
+    })
+}
+
+fn act(options: &Options) -> Result<(), Error> {
+    let began = Instant::now();
+    let text = working("reading", || read(&options.part))?;
+    let Lowered { tree, skipped } = working("modelling", || lower(&parse(&text)?, options.skip))?;
+    for error in &skipped {
+        eprintln!("left out: {error}");
+    }
+    let counts = tree.counts();
+    let model = Model::of(tree)?;
+    let scene = Scene::of(&model)?;
+    let modelled = began.elapsed();
+    if let Some(path) = &options.out {
+        let view = View::of_all(&scene, options.camera, options.size)?;
+        let pixels = working("rendering", || render(&scene, &view, options.size, BACKGROUND))?;
+        write_png(path, options.size, &pixels)?;
+        say!("{} in {:.0?}", path.display(), began.elapsed());
+    }
+    if let Some(path) = &options.rust {
+        let failed = |error| Error::file(format!("{}: {error}", path.display()));
+        fs::write(path, rust(&model, "PART")?).map_err(failed)?;
+    }
+    if options.report {
+        say!("solids     {}", counts.solids);
+        say!("operators  {}, on {} levels", counts.operators, counts.levels);
+        say!("frames     {}", model.frames.len());
+        say!("modelled   in {modelled:.1?}");
+        match working("measuring", || measure(&scene, options.pixels)) {
+            None => say!("volume     0"),
+            Some(measures) => {
+                say!("volume     {:.6} ± {:.6}", measures.volume, measures.volume_error);
+                say!("from       {:?}", measures.low.to_array());
+                say!("to         {:?}", measures.high.to_array());
+                say!("spans      {} on a line at most", measures.spans);
+            }
+        }
+    } else if options.out.is_none() && options.rust.is_none() {
+        say!("modelled: {} solids, {} operators", counts.solids, counts.operators);
+    }
+    Ok(())
+}
+
+/// Shows that something takes its time, if it does and if somebody is looking.
+fn working<T>(what: &'static str, work: impl FnOnce() -> T) -> T {
+    let bar = ProgressBar::new_spinner().with_message(what);
+    if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed}") {
+        bar.set_style(style);
+    }
+    bar.enable_steady_tick(Duration::from_millis(200));
+    let result = work();
+    bar.finish_and_clear();
+    result
+}

@@ -1,0 +1,92 @@
+//! Volume and extent, by integration of spans.
+
+use crate::map::Vector;
+use crate::scene::{SPANS, Scene};
+use scancsg::geom::vec3;
+use scancsg::render::{CameraError, Gray8, Lambert, Orthographic, Picture, Size};
+use scancsg::span::SpanList;
+
+/// What a part measures, in cubes of its unit of length and in that unit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measures {
+    /// Its volume.
+    pub volume: f64,
+    /// How far apart the volumes along the three axes are, and the mean may be off.
+    pub volume_error: f64,
+    /// The lowest coordinates that were found.
+    pub low: Vector,
+    /// The highest coordinates that were found.
+    pub high: Vector,
+    /// The most spans of a line.
+    pub spans: usize,
+}
+
+/// Measures a part by the lines through the pixels of three square pictures along the axes. None if it is empty.
+///
+/// ```
+/// use scancsg_scad::{Model, lower, measure, parse, scene::Scene};
+///
+/// let part = lower(&parse("difference() { cube(size = [3, 2, 1]); cube(size = [1, 1, 9]); }")?, false)?;
+/// let measures = measure(&Scene::of(&Model::of(part.tree)?)?, 100).ok_or("empty")?;
+/// assert!((measures.volume - 5.0).abs() < 0.05);
+/// assert_eq!(measures.high.x, 3.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn measure(scene: &Scene, pixels: u16) -> Option<Measures> {
+    let along = [0, 1, 2].map(|axis| along_axis(scene, axis, pixels).ok().flatten());
+    let [x, y, z] = along;
+    let (x, y, z) = (x?, y?, z?);
+    let volumes = [x.volume, y.volume, z.volume];
+    let volume = volumes.iter().sum::<f64>() / 3.0;
+    let off = volumes.iter().map(|other| (other - volume).abs()).fold(0.0, f64::max);
+    Some(Measures {
+        volume,
+        volume_error: off,
+        low: vec3(x.ends[0], y.ends[0], z.ends[0]),
+        high: vec3(x.ends[1], y.ends[1], z.ends[1]),
+        spans: x.spans.max(y.spans).max(z.spans),
+    })
+}
+
+const GOLDEN: f64 = 0.618_033_988_749_894_8;
+
+struct Along {
+    volume: f64,
+    ends: [f64; 2],
+    spans: usize,
+}
+
+fn along_axis(scene: &Scene, axis: usize, pixels: u16) -> Result<Option<Along>, CameraError> {
+    let Some([low, high]) = scene.corners() else { return Ok(None) };
+    let (middle, size) = ((low + high) * 0.5, (high - low).to_array());
+    let unit = |axis: usize| Vector::from([0, 1, 2].map(|i| if i == axis % 3 { 1.0 } else { 0.0 }));
+    // Turned, so that no edge along an axis has all pixels of a row on one side: the golden ratio's slope.
+    let (sin, cos) = GOLDEN.atan().sin_cos();
+    let [across, up] = [size[(axis + 1) % 3], size[(axis + 2) % 3]];
+    let pixel = across.max(up) / f64::from(pixels.clamp(2, 8_000));
+    let count = |length: f64| (length / pixel).ceil() as u16 + 2;
+    let [columns, rows] = [count(across * cos + up * sin), count(up * cos + across * sin)];
+    let upwards = unit(axis + 2) * cos + unit(axis + 1) * sin;
+    let camera = Orthographic::look_along(unit(axis), middle, upwards, pixel * f64::from(rows))?;
+    let Ok(size) = Size::new(columns, rows) else { return Ok(None) };
+    let light = Lambert::new(vec3(0.0, 0.0, 1.0), 1.0).map_err(|_| CameraError::NotFinite)?;
+    let mut picture = Picture::new(scene, &camera, size, light, Gray8(0));
+    let mut list = SpanList::<f64, SPANS>::new();
+    let mut found = Along { volume: 0.0, ends: [f64::INFINITY, f64::NEG_INFINITY], spans: 0 };
+    let from = middle.to_array()[axis];
+    for y in 0..rows {
+        let Ok(mut row) = picture.scanline(y) else { return Ok(None) };
+        for x in 0..size.width() {
+            let spans = row.spans(x, &mut list);
+            found.spans = found.spans.max(spans.len());
+            for span in spans {
+                found.volume += span.exit.t - span.enter.t;
+                found.ends[0] = found.ends[0].min(from + span.enter.t);
+                found.ends[1] = found.ends[1].max(from + span.exit.t);
+            }
+        }
+    }
+    found.volume *= pixel * pixel;
+    Ok((found.volume > 0.0).then_some(found))
+}
