@@ -15,14 +15,14 @@ impl Node {
     pub(crate) fn number(&self, name: &str) -> Result<Option<f64>, Error> {
         match self.value(name) {
             None => Ok(None),
-            Some(Value::Number(number)) if !number.is_nan() => Ok(Some(*number)),
+            Some(Value::Number(number)) if is_tame(*number) => Ok(Some(*number)),
             Some(_) => Err(self.wrong(name)),
         }
     }
 
-    /// A finite number.
+    /// A number that must be there.
     pub(crate) fn finite(&self, name: &str) -> Result<f64, Error> {
-        self.number(name)?.filter(|number| number.is_finite()).ok_or_else(|| self.wrong(name))
+        self.number(name)?.ok_or_else(|| self.wrong(name))
     }
 
     /// Whether it is there and true.
@@ -57,11 +57,16 @@ impl Node {
     }
 }
 
+/// Whether a number is one that lengths and coordinates may be: no part is larger than 10¹².
+pub(crate) fn is_tame(number: f64) -> bool {
+    number.abs() <= 1e12
+}
+
 impl Value {
     /// A finite number.
     pub(crate) fn finite(&self) -> Option<f64> {
         match self {
-            Self::Number(number) if number.is_finite() => Some(*number),
+            Self::Number(number) if is_tame(*number) => Some(*number),
             _ => None,
         }
     }

@@ -5,7 +5,7 @@ mod support;
 use scancsg_scad::scene::Scene;
 use scancsg_scad::{Model, lower, parse};
 use std::error::Error;
-use std::fs;
+use std::{env, fs};
 use support::reference::folder;
 
 /// A xorshift generator.
@@ -47,10 +47,12 @@ fn word_at(text: &str, from: usize) -> Option<(usize, usize)> {
 #[test]
 fn wrong_parts_are_errors() -> Result<(), Box<dyn Error>> {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    // More, if somebody has the time: `HOSTILE=10000`.
+    let count = env::var("HOSTILE").ok().and_then(|count| count.parse().ok()).unwrap_or(60);
     let (mut parts, mut errors) = (0, 0);
     for name in ["bracket", "funnel", "skewed", "vase", "hinge", "case"] {
         let text = fs::read_to_string(folder().join(name).with_extension("csg"))?;
-        for _ in 0..60 {
+        for _ in 0..count {
             let mut wrong = text.clone();
             for _ in 0..=random.below(2) {
                 let from = random.below(wrong.len());

@@ -28,7 +28,7 @@ impl Lowering {
             Some(height) => height,
             None => node.number("h")?.unwrap_or(100.0),
         };
-        if height <= 0.0 || !height.is_finite() || shape.is_empty() {
+        if height <= 0.0 || shape.is_empty() {
             return Ok(Shape::Solid(Tree::Empty));
         }
         let twist = node.number("twist")?.unwrap_or(0.0);
@@ -37,7 +37,7 @@ impl Lowering {
         }
         let scale = match node.value("scale") {
             None => [1.0; 2],
-            Some(Value::Number(scale)) => [*scale; 2],
+            Some(Value::Number(_)) => [node.finite("scale")?; 2],
             Some(_) => node.vector("scale")?,
         };
         let heights =

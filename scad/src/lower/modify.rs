@@ -1,16 +1,19 @@
 //! What changes the place, size or colour of its children: `multmatrix`, `resize`, `color`.
 
 use super::{Lowering, Shape, united};
+use crate::arguments::is_tame;
 use crate::error::Error;
-use crate::map::{FlatMap, Map};
+use crate::flat::Flat;
+use crate::map::Map;
 use crate::parse::{Node, Value};
+use crate::tree::Tree;
 use scancsg::geom::vec3;
 use scancsg::render::Rgb;
 
 impl Lowering {
     pub(super) fn multmatrix(&mut self, node: &Node) -> Result<Shape, Error> {
         let map = matrix(node)?;
-        Ok(placed(united(self.children(node)?), &map))
+        placed(united(self.children(node)?), &map, node.line)
     }
 
     pub(super) fn color(&mut self, node: &Node) -> Result<Shape, Error> {
@@ -52,7 +55,7 @@ impl Lowering {
         let largest = (0..3).filter_map(factor).reduce(f64::max).unwrap_or(1.0);
         let is_auto = |i: usize| auto.get(i).copied().unwrap_or(false);
         let scale = [0, 1, 2].map(|i| factor(i).unwrap_or(if is_auto(i) { largest } else { 1.0 }));
-        Ok(placed(shape, &scaling(scale)))
+        placed(shape, &scaling(scale), node.line)
     }
 }
 
@@ -81,23 +84,22 @@ fn matrix(node: &Node) -> Result<Map, Error> {
 }
 
 /// A shape behind a map. A map that makes it flat leaves nothing of it.
-fn placed(shape: Shape, map: &Map) -> Shape {
-    match shape {
+fn placed(shape: Shape, map: &Map, line: usize) -> Result<Shape, Error> {
+    Ok(match shape {
         Shape::Nothing => Shape::Nothing,
+        Shape::Flat(_) if map.flat().determinant() == 0.0 => Shape::Flat(Flat::Empty),
         Shape::Flat(flat) => {
-            let map: FlatMap = map.flat();
-            if map.determinant() == 0.0 {
-                Shape::Flat(Default::default())
-            } else {
-                Shape::Flat(flat.mapped(&map))
+            let flat = flat.mapped(&map.flat());
+            let mut ends = flat.bounds().into_iter().flatten().flatten();
+            if !ends.all(is_tame) {
+                return Err(Error::argument(line, "the matrix makes a shape too large"));
             }
+            Shape::Flat(flat)
         }
+        Shape::Solid(_) if map.determinant() == 0.0 => Shape::Solid(Tree::Empty),
         Shape::Solid(mut tree) => {
-            if map.determinant() == 0.0 {
-                return Shape::Solid(Default::default());
-            }
             tree.place(map);
             Shape::Solid(tree)
         }
-    }
+    })
 }

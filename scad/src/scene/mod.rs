@@ -20,7 +20,7 @@ use scancsg::solid::{Bounds, Solid};
 use scancsg::span::walk::Step;
 use scancsg::span::{Crossing, Face, Operation, Shape, Span, SpanStack};
 use std::sync::Arc;
-use walk::Walk;
+use walk::{All, Walk};
 
 /// A part that can be seen, traced and measured.
 #[derive(Debug, Clone)]
@@ -160,8 +160,7 @@ impl Solid for Scene {
     fn spans(&self, line: &Line<f64>, first: Face, stack: &mut SpanStack<'_, f64>) {
         let mut walk = Walk::EMPTY;
         walk.reset(&self.parts);
-        let everywhere = |_: usize| Some(u32::MAX);
-        let Some(root) = walk.prune(&self.parts, &everywhere).root else { return };
+        let Some(root) = walk.prune(&self.parts, &All).root else { return };
         walk.look_along(*line, 0);
         let mut asked = walk.on(&self.parts);
         let number =

@@ -1,6 +1,6 @@
 //! A scene in pictures: which nodes can be seen in a row, and in a run of columns.
 
-use super::walk::{Pruned, Walk};
+use super::walk::{Pruned, Visible, Walk};
 use super::{Node, Parts, Scene};
 use scancsg::geom::{Extent, RayRow};
 use scancsg::scan::bounds::{Outline, Silhouette};
@@ -24,15 +24,49 @@ impl<R: Outline> Empty for View<R> {
 pub struct Row<R: Outline> {
     parts: Option<Arc<Parts>>,
     rays: Option<R::Row>,
-    /// The columns in which each node may be seen.
-    extents: Vec<Extent>,
+    seen: Seen,
+    /// The columns in which some solid begins, in ascending order.
+    starts: Vec<u32>,
     walk: Walk,
     root: Option<usize>,
 }
 
+/// What of a scene may be seen in a row.
+struct Seen {
+    column: u32,
+    /// The columns in which each node may be seen.
+    extents: Vec<Extent>,
+    /// Where in the list below the members of each union are that may be seen.
+    ranges: Vec<[usize; 2]>,
+    members: Vec<usize>,
+}
+
+impl Seen {
+    const NOTHING: Self =
+        Self { column: 0, extents: Vec::new(), ranges: Vec::new(), members: Vec::new() };
+}
+
+impl Visible for Seen {
+    fn until(&self, node: usize) -> Option<u32> {
+        let extent = self.extents[node];
+        extent.contains(self.column).then_some(extent.end)
+    }
+
+    fn members<'a>(&'a self, union: usize, _: &'a [usize]) -> &'a [usize] {
+        let [from, to] = self.ranges[union];
+        &self.members[from..to]
+    }
+}
+
 impl<R: Outline> Empty for Row<R> {
-    const EMPTY: Self =
-        Self { parts: None, rays: None, extents: Vec::new(), walk: Walk::EMPTY, root: None };
+    const EMPTY: Self = Self {
+        parts: None,
+        rays: None,
+        seen: Seen::NOTHING,
+        starts: Vec::new(),
+        walk: Walk::EMPTY,
+        root: None,
+    };
 }
 
 impl<R: Outline<Scalar = f64>> Scan<R> for Scene {
@@ -49,17 +83,22 @@ impl<R: Outline<Scalar = f64>> Scan<R> for Scene {
         row.rays = view.rays.map(|rays| rays.row(y));
         row.parts = Some(Arc::clone(&self.parts));
         row.walk.reset(&self.parts);
-        row.extents.clear();
+        let Seen { extents, ranges, members, .. } = &mut row.seen;
+        extents.clear();
+        ranges.clear();
+        members.clear();
+        row.starts.clear();
         for node in &self.parts.nodes {
-            let of = |index: usize| row.extents[index];
+            let of = |index: usize| extents[index];
+            let first = members.len();
             let extent = match node {
                 Node::Leaf(leaf) => match view.outlines.get(*leaf) {
                     Some(outline) if outline.is_in_rows([y; 2]) => outline.extent(y, columns),
                     _ => Extent::EMPTY,
                 },
-                Node::Union(members) => {
-                    let seen = members.iter().map(|member| of(*member));
-                    let seen = seen.filter(|extent| extent.start < extent.end);
+                Node::Union(all) => {
+                    members.extend(all.iter().filter(|member| !is_empty(of(**member))));
+                    let seen = members[first..].iter().map(|member| of(*member));
                     let joined = seen.reduce(|a, b| Extent {
                         start: a.start.min(b.start),
                         end: a.end.max(b.end),
@@ -71,24 +110,26 @@ impl<R: Outline<Scalar = f64>> Scan<R> for Scene {
                 }
                 Node::Pair { left, .. } => of(*left),
             };
-            row.extents.push(extent);
+            if !is_empty(extent) {
+                row.starts.push(extent.start);
+            }
+            ranges.push([first, members.len()]);
+            extents.push(extent);
         }
+        row.starts.sort_unstable();
     }
 
     fn enter(row: &mut Row<R>, column: u32) -> ColumnRun {
-        let Row { parts: Some(parts), extents, walk, root, .. } = row else {
+        let Row { parts: Some(parts), seen, starts, walk, root, .. } = row else {
             return ColumnRun::EMPTY;
         };
         // The next column in which something begins bounds the run, too.
-        let later = extents.iter().map(|extent| extent.start).filter(|start| *start > column);
-        let next = later.min().unwrap_or(u32::MAX);
-        let visible = |node: usize| {
-            let extent = extents[node];
-            extent.contains(column).then_some(extent.end)
-        };
-        let Pruned { root: seen, until } = walk.prune(parts, &visible);
-        *root = seen;
-        ColumnRun { is_visible: seen.is_some(), until: until.min(next) }
+        let later = starts.partition_point(|start| *start <= column);
+        let next = starts.get(later).copied().unwrap_or(u32::MAX);
+        seen.column = column;
+        let Pruned { root: kept, until } = walk.prune(parts, seen);
+        *root = kept;
+        ColumnRun { is_visible: kept.is_some(), until: until.min(next) }
     }
 
     fn contains<P: Path>(&self, _: &View<R>, row: &mut Row<R>, x: i32, t: f64) -> bool {
@@ -117,4 +158,8 @@ fn look<R: Outline<Scalar = f64>>(row: &mut Row<R>, x: i32) {
     if let (Some(rays), false) = (&row.rays, row.walk.looks_along(number)) {
         row.walk.look_along(rays.line(x), number);
     }
+}
+
+fn is_empty(extent: Extent) -> bool {
+    extent.start >= extent.end
 }

@@ -37,6 +37,28 @@ pub(super) struct Pruned {
     pub(super) until: u32,
 }
 
+/// What may be seen in a run of columns.
+pub(super) trait Visible {
+    /// Up to which column a node may be seen. None, if it may not.
+    fn until(&self, node: usize) -> Option<u32>;
+
+    /// The members of a union among which all are that may be seen.
+    fn members<'a>(&'a self, union: usize, all: &'a [usize]) -> &'a [usize];
+}
+
+/// Everything, for ever.
+pub(super) struct All;
+
+impl Visible for All {
+    fn until(&self, _: usize) -> Option<u32> {
+        Some(u32::MAX)
+    }
+
+    fn members<'a>(&'a self, _: usize, all: &'a [usize]) -> &'a [usize] {
+        all
+    }
+}
+
 const NO_LINE: i64 = i64::MIN;
 
 pub(super) const NOWHERE: Span<f64> = {
@@ -63,12 +85,8 @@ impl Walk {
         self.kept.resize(parts.leaves.len(), (NO_LINE, [NOWHERE; 2]));
     }
 
-    /// Keeps the nodes that may be met. `visible` says up to which column a node is; a node that isn't says none.
-    pub(super) fn prune(
-        &mut self,
-        parts: &Parts,
-        visible: &impl Fn(usize) -> Option<u32>,
-    ) -> Pruned {
+    /// Keeps the nodes that may be met.
+    pub(super) fn prune(&mut self, parts: &Parts, visible: &impl Visible) -> Pruned {
         self.nodes.clear();
         self.members.clear();
         let mut until = u32::MAX;
@@ -81,15 +99,15 @@ impl Walk {
         &mut self,
         parts: &Parts,
         node: usize,
-        visible: &impl Fn(usize) -> Option<u32>,
+        visible: &impl Visible,
         until: &mut u32,
     ) -> Option<usize> {
-        *until = visible(node)?.min(*until);
+        *until = visible.until(node)?.min(*until);
         let active = match &parts.nodes[node] {
             Node::Leaf(leaf) => Active::Leaf(*leaf),
             Node::Union(all) => {
-                let kept =
-                    all.iter().filter_map(|member| self.keep(parts, *member, visible, until));
+                let all = visible.members(node, all).iter();
+                let kept = all.filter_map(|member| self.keep(parts, *member, visible, until));
                 let kept: Vec<usize> = kept.collect();
                 match kept[..] {
                     [] => return None,
