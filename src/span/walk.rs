@@ -174,7 +174,10 @@ pub fn step<P: Path, S: Scalar>(of: impl Operands<S>, t: S) -> Step<S> {
 fn step_inlined<S: Scalar>(mut of: impl Operands<S>, t: S) -> Step<S> {
     let operation = of.operation();
     let left = if of.has(Side::Left) { of.step::<Hot>(Side::Left, t) } else { Step::OUTSIDE };
-    if left.inside || !operation.needs_left() {
+    if !operation.needs_left() {
+        return step_of_either(of, t, left);
+    }
+    if left.inside {
         return of.outlined(left, move |of, left| step_from_left(of, t, left));
     }
     // From outside of the left operand, its first crossing decides in most cases.
@@ -187,6 +190,25 @@ fn step_inlined<S: Scalar>(mut of: impl Operands<S>, t: S) -> Step<S> {
         return Step { inside: false, next: left.next };
     }
     Step { inside: false, next: of.outlined(t, next_of_right) }
+}
+
+/// What lies behind `t` in a union, where that is known of the left operand.
+#[inline(always)]
+fn step_of_either<S: Scalar>(mut of: impl Operands<S>, t: S, left: Step<S>) -> Step<S> {
+    if !of.has(Side::Right) {
+        return left;
+    }
+    let right = of.step::<Hot>(Side::Right, t);
+    if of.has(Side::Left) {
+        if left.inside || right.inside {
+            return of.outlined(left, move |of, left| step_from_left(of, t, left));
+        }
+        // From outside of both, what is entered first decides.
+        let mut all = left;
+        all.unite(right);
+        return all;
+    }
+    right
 }
 
 /// The first crossing behind `t`, where the ray is inside the left operand and the right one keeps it
