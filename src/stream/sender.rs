@@ -479,18 +479,23 @@ impl State {
         }
     }
 
+    /// The header is to be sent again.
+    fn header_due(&mut self) {
+        self.header_due = true;
+        self.end_due = self.is_swept();
+    }
+
     #[inline(never)]
     fn ask(&mut self, request: Request, now: u32) {
-        if self.header.is_none_or(|header| header.frame != request.frame) {
+        let Some(header) = self.header.filter(|header| header.frame == request.frame) else {
             return;
-        }
+        };
         self.heard(now);
         self.asked = self.asked.saturating_add(1);
         match request.part {
-            Part::Header => {
-                self.header_due = true;
-                self.end_due = self.is_swept();
-            }
+            // Who asks for rows that the frame doesn't have has the header of another one with this number.
+            Part::Rows { y, .. } if y >= header.height => self.header_due(),
+            Part::Header => self.header_due(),
             Part::End => self.end_due = self.is_swept(),
             Part::Rows { y, count, limit } => {
                 // Rows that are still to come are not lost.
