@@ -236,6 +236,38 @@ fn a_reset_device_whose_header_is_lost() {
     }
 }
 
+/// A row that is longer than the packets that are asked for is coded by prediction all the same: by itself, it
+/// would be twice as long, and get lost more often.
+#[test]
+fn a_row_longer_than_the_limit_is_still_predicted() {
+    let mut random = Random::seeded(1);
+    let rows: Vec<Vec<_>> =
+        (0..3).map(|_| (0..80).map(|_| Gray8(100 + random.below(8) as u8)).collect()).collect();
+    let mut sender = Sender::<_, CAPACITY>::new(Predictive::<Gray8, 80>::new(), PATIENCE);
+    sender.begin(header(1, 80, 3, PixelFormat::Gray8)).unwrap();
+    let run = |sender: &mut Sender<_, CAPACITY>| {
+        let mut packets = Vec::new();
+        loop {
+            match sender.poll(0) {
+                Task::Send(packet) => {
+                    packets.push(packet.to_vec());
+                    sender.sent(0);
+                }
+                Task::Row(y) => sender.row(y, &rows[usize::from(y)]).unwrap(),
+                _ => return packets,
+            }
+        }
+    };
+    assert_eq!(run(&mut sender).len(), 3);
+    let mut packet = [0; 32];
+    let part = Part::Rows { y: 0, count: 3, limit: 31 };
+    let len = encode_request(Request { frame: 1, part }, &mut packet).unwrap();
+    packet[..len].iter().for_each(|byte| sender.receive(*byte, 0));
+    // Each row in a packet of its own, where its bytes alone are 80, and the end.
+    let lengths: Vec<_> = run(&mut sender).iter().map(Vec::len).collect();
+    assert!(lengths.len() == 4 && lengths.iter().all(|len| *len < 80), "{lengths:?}");
+}
+
 fn say(sender: &mut TestSender, part: Part, frame: u16, now: u32) {
     let mut packet = [0; 32];
     let len = encode_request(Request { frame, part }, &mut packet).unwrap();
