@@ -195,6 +195,79 @@ fn a_reset_device_with_the_same_frame_number() {
     }
 }
 
+/// A device that is reset in the middle of a frame, or behind one, and whose new header gets lost, while it has
+/// the same number: rows that don't fit the old header, rows that are never there, and a hash that stays wrong
+/// are reasons to ask for the header. The other end hears one request at a time.
+#[test]
+fn a_reset_device_whose_header_is_lost() {
+    let first = header(0, 80, 40, PixelFormat::Gray8);
+    let others = [
+        header(0, 60, 40, PixelFormat::Gray8),
+        header(0, 80, 60, PixelFormat::Gray8),
+        header(0, 80, 2, PixelFormat::Gray8),
+        FrameHeader { palette: [Rgb::WHITE].into_iter().collect(), ..first },
+    ];
+    let colors = header(0, 40, 30, PixelFormat::Rgb565);
+    for (before, after) in others.map(|other| (first, other)).into_iter().chain([(colors, first)]) {
+        let old = packets(before);
+        for count in [1, 9, old.len() - 1, old.len()] {
+            let mut receiver = receiver();
+            receive(&mut receiver, &old[..count].concat(), 0);
+            answers(&mut receiver);
+            let mut sender = TestSender::new(Plain, PATIENCE);
+            sender.begin(after).unwrap();
+            let (sent, _) = run(&mut sender, 0, gray_row);
+            let mut line = sent[1..].concat();
+            for now in 1..100 {
+                receive(&mut receiver, &line, now);
+                receiver.poll(now);
+                let heard = receiver.answer().map(<[u8]>::to_vec).unwrap_or_default();
+                answers(&mut receiver);
+                heard.iter().for_each(|byte| sender.receive(*byte, now));
+                let (sent, delivery) = run(&mut sender, now, gray_row);
+                if delivery.is_some() {
+                    break;
+                }
+                line = sent.concat();
+            }
+            assert!(receiver.frame().is_complete(), "{before:?} {after:?} {count}");
+            assert_eq!(receiver.frame().pixels(), frame_bytes(after));
+        }
+    }
+}
+
+/// A row that is longer than the packets that are asked for is coded by prediction all the same: by itself, it
+/// would be twice as long, and get lost more often.
+#[test]
+fn a_row_longer_than_the_limit_is_still_predicted() {
+    let mut random = Random::seeded(1);
+    let rows: Vec<Vec<_>> =
+        (0..3).map(|_| (0..80).map(|_| Gray8(100 + random.below(8) as u8)).collect()).collect();
+    let mut sender = Sender::<_, CAPACITY>::new(Predictive::<Gray8, 80>::new(), PATIENCE);
+    sender.begin(header(1, 80, 3, PixelFormat::Gray8)).unwrap();
+    let run = |sender: &mut Sender<_, CAPACITY>| {
+        let mut packets = Vec::new();
+        loop {
+            match sender.poll(0) {
+                Task::Send(packet) => {
+                    packets.push(packet.to_vec());
+                    sender.sent(0);
+                }
+                Task::Row(y) => sender.row(y, &rows[usize::from(y)]).unwrap(),
+                _ => return packets,
+            }
+        }
+    };
+    assert_eq!(run(&mut sender).len(), 3);
+    let mut packet = [0; 32];
+    let part = Part::Rows { y: 0, count: 3, limit: 31 };
+    let len = encode_request(Request { frame: 1, part }, &mut packet).unwrap();
+    packet[..len].iter().for_each(|byte| sender.receive(*byte, 0));
+    // Each row in a packet of its own, where its bytes alone are 80, and the end.
+    let lengths: Vec<_> = run(&mut sender).iter().map(Vec::len).collect();
+    assert!(lengths.len() == 4 && lengths.iter().all(|len| *len < 80), "{lengths:?}");
+}
+
 fn say(sender: &mut TestSender, part: Part, frame: u16, now: u32) {
     let mut packet = [0; 32];
     let len = encode_request(Request { frame, part }, &mut packet).unwrap();

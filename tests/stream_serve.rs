@@ -295,7 +295,8 @@ fn silence_ends_after_so_many_looks() {
     is_silence(delivery, &line.sent, looks);
     assert_eq!(scene.rendered, usize::from(HEIGHT));
 
-    // Nor does a request of the frame's own for rows that it hasn't: it only shows that somebody is there.
+    // Nor does a request of the frame's own for rows that it hasn't: it shows that somebody is there, with another
+    // header.
     let mut count = 0;
     let Served { delivery, line, scene, .. } = served(|_| {
         count += 1;
@@ -303,8 +304,9 @@ fn silence_ends_after_so_many_looks() {
         no_row.map(|part| request(FRAME, part)).concat().repeat(usize::from(count == 1))
     });
     assert_eq!(delivery, Ok(Delivery::Unheard));
-    assert!(line.sent.starts_with(&frame));
-    assert!(line.sent[frame.len()..].chunks(end.len()).all(|packet| packet == end));
+    let again = [&frame[..], &packets()[0]].concat();
+    assert!(line.sent.starts_with(&again));
+    assert!(line.sent[again.len()..].chunks(end.len()).all(|packet| packet == end));
     assert!(line.sent.len() < frame.len() + 9 * end.len());
     assert_eq!(scene.rendered, usize::from(HEIGHT));
 
@@ -397,6 +399,34 @@ fn a_receiver_listens_and_answers() {
     line.is_broken = true;
     let result = receive(&mut receiver, &mut line, &mut clock);
     assert_eq!(result, Err(ServeError::Read(ErrorKind::NotConnected)));
+}
+
+/// Where no answer can be written, every event comes all the same, and the error when there is none.
+#[test]
+fn an_answer_that_cannot_be_written_costs_no_event() {
+    let mut line = Line { room: 0, ..Line::new(|_: &[u8]| Vec::new()) };
+    let (mut pixels, mut flags) = ([0; 30], [false; HEIGHT as usize]);
+    let memory = Memory { pixels: &mut pixels, rows: &mut flags, above: &mut [] };
+    let mut receiver = Receiver::<CAPACITY>::new(memory, TIMING);
+    let mut clock = Looks::new();
+
+    line.incoming.extend(packets().concat());
+    let mut events = Vec::new();
+    while !line.incoming.is_empty() {
+        events.push(receive(&mut receiver, &mut line, &mut clock).unwrap());
+    }
+    assert_eq!(events.last(), Some(&Event::Complete));
+    // A frame that breaks off: nothing but the question fails.
+    line.incoming.extend(&packets()[..1].concat());
+    assert_eq!(receive(&mut receiver, &mut line, &mut clock), Ok(Event::Repeated));
+    let next = FrameHeader { frame: FRAME + 1, ..header() };
+    let mut packet = [0; CONTROL_CAPACITY];
+    let len = scancsg::stream::encode_header(next, &mut packet).unwrap();
+    line.incoming.extend(&packet[..len]);
+    let event = receive(&mut receiver, &mut line, &mut clock);
+    assert!(matches!(event, Ok(Event::Started { .. })));
+    let result = receive(&mut receiver, &mut line, &mut clock);
+    assert!(matches!(result, Err(ServeError::Write(_))), "{result:?}");
 }
 
 /// A complete frame and a silent line: the clock goes on, so that the caller's own patience can end.

@@ -12,7 +12,8 @@ use super::serve_error::ServeError;
 /// [`serve`](super::serve).
 ///
 /// Call it again and again. It returns with [`Event::Complete`] for each whole frame, and with the smaller
-/// events before that. `read_ready` must not wait.
+/// events before that. `read_ready` must not wait. An answer that can't be written is lost, as it may be on the
+/// line, and costs no event.
 ///
 /// # Errors
 ///
@@ -38,12 +39,22 @@ where
         };
         // Also while bytes come: they may be noise.
         let event = event.or_else(|| receiver.poll(clock.now()));
-        while let Some(answer) = receiver.answer() {
-            write(line, answer)?;
-            line.flush().map_err(ServeError::Write)?;
-        }
+        let written = answer(receiver, line);
         if let Some(event) = event {
             return Ok(event);
         }
+        written?;
     }
+}
+
+/// Writes the answers.
+fn answer<L: Write + ?Sized, const N: usize>(
+    receiver: &mut Receiver<'_, N>,
+    line: &mut L,
+) -> Result<(), ServeError<L::Error>> {
+    while let Some(answer) = receiver.answer() {
+        write(line, answer)?;
+        line.flush().map_err(ServeError::Write)?;
+    }
+    Ok(())
 }

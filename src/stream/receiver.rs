@@ -41,6 +41,8 @@ pub struct Traffic {
 const ANSWERS: usize = 8;
 /// The header of a frame is asked for again after so many of its packets.
 const STRAYS: u8 = 4;
+/// After so many wrong hashes, or after rows that don't fit the header, it is asked for until it comes.
+const DOUBTS: u8 = 2;
 /// The most contents of a packet of rows that is asked for first; half of it each time it fails.
 const FIRST_LIMIT: u8 = 127;
 
@@ -113,6 +115,8 @@ struct Policy {
     has_ended: bool,
     /// There is no memory for the frame's rows.
     is_beyond: bool,
+    /// So often rows were not as the header says: the sender's frame may be another one with this number.
+    doubts: u8,
     limit: u8,
     /// When the last packet came.
     since: u32,
@@ -136,6 +140,7 @@ impl<'m, const N: usize> Receiver<'m, N> {
             expected: 0,
             has_ended: false,
             is_beyond: false,
+            doubts: 0,
             limit: FIRST_LIMIT,
             since: 0,
             next: 0,
@@ -225,7 +230,12 @@ impl Policy {
             }
             Err(error) => {
                 self.traffic.bad_packets += 1;
-                self.is_beyond |= error == ReceiveError::Payload(UnpackError::NoMemory);
+                let is_beyond = error == ReceiveError::Payload(UnpackError::NoMemory);
+                let is_of_rows = matches!(error, ReceiveError::Row | ReceiveError::Payload(_));
+                self.is_beyond |= is_beyond;
+                if is_of_rows && !is_beyond {
+                    self.doubts = DOUBTS;
+                }
                 return Some(Event::Refused(error));
             }
         };
@@ -235,6 +245,7 @@ impl Policy {
             self.begin();
         }
         match packet {
+            Packet::Header(_) => self.doubts = 0,
             Packet::Row { frame, y, .. } => self.rows(frame, y, 1),
             Packet::Rows { frame, y, count, .. } => self.rows(frame, y, count.into()),
             _ => {}
@@ -249,7 +260,10 @@ impl Policy {
             // The sender has done all that it was asked for: what is missing now was lost.
             Event::Incomplete { .. } | Event::HashMismatch => {
                 self.answers.clear();
-                self.ask_for_gaps(frame);
+                if event == Event::HashMismatch {
+                    self.doubts = self.doubts.saturating_add(1);
+                }
+                self.ask_for_rest(frame);
             }
             _ => {}
         }
@@ -287,6 +301,15 @@ impl Policy {
             self.ask(frame, Part::Rows { y: self.expected, count, limit: self.limit });
         }
         self.expected = self.expected.max(y.saturating_add(count));
+    }
+
+    /// Asks for what is missing, or, if that may not be of this frame, for the header.
+    fn ask_for_rest(&mut self, frame: &Assembler<'_>) {
+        // The first wrong hash is likely to be of rows that came before the sender was reset.
+        match frame.header().filter(|_| self.doubts >= DOUBTS) {
+            Some(header) => self.ask(header.frame, Part::Header),
+            None => self.ask_for_gaps(frame),
+        }
     }
 
     fn ask_for_gaps(&mut self, frame: &Assembler<'_>) {
@@ -332,7 +355,7 @@ impl Policy {
                 self.ask(unknown, Part::Header);
             }
             match current {
-                Some(_) if frame.missing().next().is_some() => self.ask_for_gaps(frame),
+                Some(_) if frame.missing().next().is_some() => self.ask_for_rest(frame),
                 Some(header) => self.ask(header.frame, Part::End),
                 None => {}
             }

@@ -266,7 +266,12 @@ impl<C: Coding, const N: usize> Sender<C, N> {
         }
         let open = self.state.open.unwrap_or(Open { y, count: 0, is_repair });
         let payload = rows_payload(&mut self.packet, limit.into());
-        let fits = open.is_followed_by(y, is_repair) && self.coding.push(pixels, payload);
+        let mut fits = open.is_followed_by(y, is_repair) && self.coding.push(pixels, payload);
+        if !fits && open.count == 0 {
+            // A row that is longer than the limit is still shorter so than by itself.
+            self.coding.begin();
+            fits = self.coding.push(pixels, rows_payload(&mut self.packet, MAX_LIMIT.into()));
+        }
         match (fits, open.count) {
             (true, count) => self.state.open = Some(Open { count: count + 1, ..open }),
             (false, 0) => {
@@ -479,18 +484,23 @@ impl State {
         }
     }
 
+    /// The header is to be sent again.
+    fn header_due(&mut self) {
+        self.header_due = true;
+        self.end_due = self.is_swept();
+    }
+
     #[inline(never)]
     fn ask(&mut self, request: Request, now: u32) {
-        if self.header.is_none_or(|header| header.frame != request.frame) {
+        let Some(header) = self.header.filter(|header| header.frame == request.frame) else {
             return;
-        }
+        };
         self.heard(now);
         self.asked = self.asked.saturating_add(1);
         match request.part {
-            Part::Header => {
-                self.header_due = true;
-                self.end_due = self.is_swept();
-            }
+            // Who asks for rows that the frame doesn't have has the header of another one with this number.
+            Part::Rows { y, .. } if y >= header.height => self.header_due(),
+            Part::Header => self.header_due(),
             Part::End => self.end_due = self.is_swept(),
             Part::Rows { y, count, limit } => {
                 // Rows that are still to come are not lost.

@@ -95,14 +95,24 @@ where
         let now = clock.now();
         let mut bytes = byte.get(..count.unwrap_or(0)).unwrap_or_default();
         let event = receiver.receive(&mut bytes, now).or_else(|| receiver.poll(now));
-        while let Some(answer) = receiver.answer() {
-            write(line, answer).await?;
-            line.flush().await.map_err(ServeError::Write)?;
-        }
+        let written = answer(receiver, line).await;
         if let Some(event) = event {
             return Ok(event);
         }
+        written?;
     }
+}
+
+/// Writes the answers.
+async fn answer<L: Write + ?Sized, const N: usize>(
+    receiver: &mut Receiver<'_, N>,
+    line: &mut L,
+) -> Result<(), ServeError<L::Error>> {
+    while let Some(answer) = receiver.answer() {
+        write(line, answer).await?;
+        line.flush().await.map_err(ServeError::Write)?;
+    }
+    Ok(())
 }
 
 /// Writes all of the bytes.
