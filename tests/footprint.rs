@@ -14,7 +14,7 @@ use scancsg::program::Program;
 use scancsg::render::{Camera, Gray8, Lambert, Picture, Size};
 use scancsg::scalar::I16F16;
 use scancsg::solid::{Cylinder, Scan};
-use scancsg::stream::{PixelFormat, packet_capacity};
+use scancsg::stream::{PixelFormat, Predictive, Sender, packet_capacity, row_capacity};
 
 fn size<S: Scene, C>(camera: &C) -> usize
 where
@@ -40,7 +40,11 @@ fn a_render_of_tee_needs_little_memory() {
     println!("in perspective: {single} bytes in f32, {fixed} in I16F16");
     assert!(single <= 2048, "{single}");
     assert!(fixed <= 3584, "{fixed}");
-    assert_eq!(packet_capacity(160, PixelFormat::Gray8), 172);
+    assert_eq!(packet_capacity(160, PixelFormat::Gray8), 256);
+    assert_eq!(row_capacity(160, PixelFormat::Gray8), 172);
+    let sender = size_of::<Sender<Predictive<Gray8, 160>, 256>>();
+    println!("sender: {sender} bytes");
+    assert!(sender <= 1400, "{sender}");
 }
 
 /// The bytes of a program, and of its view and row, a part.

@@ -11,15 +11,18 @@ use std::path::Path;
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
 /// Not values, but memory of something under way: it borrows other memory, or holds a solid's stages.
-const STATE: [&str; 16] = [
+const STATE: [&str; 19] = [
     "Assembler",
     "Decoder",
     "Dithered",
     "GroupRow",
     "LeafRow",
+    "Line",
     "Member",
     "Memory",
     "Picture",
+    "Predictive",
+    "PredictiveMono",
     "Receiver",
     "RowHash",
     "Sample",
@@ -73,7 +76,7 @@ fn types(text: &str) -> Vec<(&str, String)> {
             found.push((name, std::mem::take(&mut attributes)));
         } else if line.starts_with("#[") {
             attributes += line;
-        } else if !line.starts_with("//") {
+        } else if line.is_empty() || line.ends_with(['}', ';']) {
             attributes.clear();
         }
     }

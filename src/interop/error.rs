@@ -2,6 +2,7 @@
 
 use crate::geom::{AffineError, AxisLineError, PoseError, RayError};
 use crate::inspect::MassError;
+use crate::program::{BytesError, LineError, ProgramError};
 use crate::render::{CameraError, RowError, ShadeError, SizeError, SmoothError};
 use crate::solid::{
     ConeError, CuboidError, CylinderError, HalfSpaceError, ManyError, PipeError, PolyhedronError,
@@ -9,7 +10,7 @@ use crate::solid::{
 };
 use crate::span::StackFull;
 use crate::spline::{CurveError, EvaluateError, FlattenError, KnotError, SweepError};
-use crate::stream::{EncodeError, LineError, PacketError, ReceiveError, ServeError, UnpackError};
+use crate::stream::{EncodeError, LinkError, PacketError, ReceiveError, ServeError, UnpackError};
 
 macro_rules! errors {
     ($(#[$about:meta])* { $($(#[$when:meta])* $Variant:ident($Error:ident),)+ }) => {
@@ -76,6 +77,8 @@ errors! {
         Affine(AffineError),
         /// Of an axis that solids share.
         AxisLine(AxisLineError),
+        /// Of a program's bytes.
+        Bytes(BytesError),
         /// Of a camera.
         Camera(CameraError),
         /// Of a cone.
@@ -96,8 +99,10 @@ errors! {
         HalfSpace(HalfSpaceError),
         /// Of knots.
         Knot(KnotError),
-        /// Of a line.
+        /// Of too many spans on a line.
         Line(LineError),
+        /// Of a link's line.
+        Link(LinkError),
         /// Of a union of many solids.
         Many(ManyError),
         /// Of a volume or a moment.
@@ -110,6 +115,8 @@ errors! {
         Polyhedron(PolyhedronError),
         /// Of a pose.
         Pose(PoseError),
+        /// Of a program.
+        Program(ProgramError),
         /// Of a ray.
         Ray(RayError),
         /// Of a packet that isn't taken in.
@@ -150,9 +157,9 @@ impl<E> From<ServeError<E>> for Error {
         match error {
             ServeError::Render(error) => error.into(),
             ServeError::Encode(error) => error.into(),
-            ServeError::Write(_) => LineError::Write.into(),
-            ServeError::Read(_) => LineError::Read.into(),
-            ServeError::Closed => LineError::Closed.into(),
+            ServeError::Write(_) => LinkError::Write.into(),
+            ServeError::Read(_) => LinkError::Read.into(),
+            ServeError::Closed => LinkError::Closed.into(),
         }
     }
 }

@@ -61,7 +61,7 @@ crate::error_text! {
 crate::error_text! {
     /// How a line failed, without its own error: what [`scancsg::Error`](crate::Error) keeps of a
     /// [`ServeError`](super::ServeError).
-    pub enum LineError {
+    pub enum LinkError {
         /// Writing failed.
         Write => "writing to the line failed",
         /// Reading failed.

@@ -76,7 +76,7 @@ pub use codec::{
 };
 pub use crc::{FrameHash, RowHash};
 pub use decoder::Decoder;
-pub use error::{EncodeError, LineError, PacketError, UnpackError};
+pub use error::{EncodeError, LinkError, PacketError, UnpackError};
 pub use pixel::{PixelFormat, Wire, WirePixel};
 pub use receive::receive;
 pub use receiver::{Receiver, Timing, Traffic};

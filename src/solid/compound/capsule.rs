@@ -38,6 +38,7 @@ type Parts<S> = Union<Cylinder<S>, [Sphere<S>; 2]>;
 /// lie inside. Within the rounding of a parameter, a ray that meets a seam may meet one of them; there they have
 /// the wall's normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Capsule<S: Scalar> {
     parts: Parts<S>,
 }

@@ -41,6 +41,7 @@ const FIRST_EDGE: u16 = <[Cuboid<f32>; 3] as Shape>::FACES;
 /// of the edges are 20, 23 … 53, and the corners 54 to 61. All others lie inside. Within the rounding of a
 /// parameter, a ray that meets a seam may meet one of them; there they have the normal of the face beside them.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct RoundedCuboid<S: Scalar> {
     parts: Parts<S>,
 }
