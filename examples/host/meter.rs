@@ -82,6 +82,7 @@ impl Meter {
                     (usize::from(picture.rows_received()), usize::from(header.height));
                 let bar = "=".repeat(here * 24 / all.max(1));
                 let number = self.frames + u32::from(!picture.is_complete());
+                let number = of.map_or(number, |of| number.min(of));
                 let of = of.map(|count| format!("/{count}")).unwrap_or_default();
                 let size = format!("{}x{}", header.width, header.height);
                 format!("frame {number}{of} [{bar:24}] {here}/{all} rows of {size}")

@@ -11,6 +11,7 @@ use crate::save::Saver;
 use crate::serve::Server;
 use crate::tap::Tap;
 use clap::Parser;
+use scancsg::stream::{PROTOCOL_VERSION, PacketError};
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -97,10 +98,18 @@ struct Run<'a> {
     unfinished: Option<Frame>,
     /// Since when nothing but garbage comes.
     garbage: Option<Instant>,
-    has_said: bool,
+    has_said_refused: bool,
+    has_said_garbage: bool,
 }
 
 fn receive(args: &Args) -> Result<ExitCode, String> {
+    if let (Some(record), Some(replay)) = (&args.record, &args.replay)
+        && replay
+            .canonicalize()
+            .is_ok_and(|replay| record.canonicalize().is_ok_and(|to| to == replay))
+    {
+        return Err(format!("{} can't be replayed and recorded at once", replay.display()));
+    }
     let is_interrupted = interruption()?;
     let device = match (&args.port, &args.replay) {
         (Some(device), _) => Some(device.clone()),
@@ -138,7 +147,8 @@ fn receive(args: &Args) -> Result<ExitCode, String> {
         damaged: 0,
         unfinished: None,
         garbage: None,
-        has_said: false,
+        has_said_refused: false,
+        has_said_garbage: false,
     };
     let end = run.frames()?;
     run.finish(end)
@@ -157,13 +167,18 @@ impl Run<'_> {
                         return Ok(end);
                     }
                 }
-                News::Refused(error) if !self.has_said => {
-                    self.has_said = true;
+                News::Refused(error) if !self.has_said_refused => {
+                    self.has_said_refused = true;
                     self.screen.note(&format!("view: refused: {error}"));
                 }
                 News::Refused(_) | News::Nothing => {}
                 News::Closed if self.device.is_none() => return Ok(End::Replayed),
                 News::Closed => self.reconnect(),
+            }
+            if self.session.traffic().last_error == Some(PacketError::Version) {
+                return Err(format!(
+                    "the sender speaks another version of the protocol than {PROTOCOL_VERSION}"
+                ));
             }
             if let Some(failure) = self.session.port().failure() {
                 return Err(failure.clone());
@@ -222,9 +237,9 @@ impl Run<'_> {
         if !self.meter.is_garbage(self.session.traffic()) {
             self.garbage = None;
         } else if self.garbage.get_or_insert_with(Instant::now).elapsed() >= GARBAGE
-            && !self.has_said
+            && !self.has_said_garbage
         {
-            self.has_said = true;
+            self.has_said_garbage = true;
             self.screen.note(&format!("view: {}", self.wrong_speed()));
         }
     }
@@ -271,6 +286,12 @@ impl Run<'_> {
         if !self.screen.is_terminal() {
             let [_, figures] = self.meter.lines(self.session.picture(), traffic, None);
             println!("{figures}");
+        }
+        if end == End::Interrupted && self.saver.count() == 0 {
+            problems.push(match self.meter.is_garbage(traffic) {
+                true => self.wrong_speed(),
+                false => "no frame came".to_string(),
+            });
         }
         if let End::Silence = end {
             let wait = self.wait().unwrap_or_default().as_secs();

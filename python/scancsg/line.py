@@ -66,15 +66,16 @@ class Link:
     def __iter__(self) -> Iterator[Frame]:
         receiver = self._receiver
         heard = time.monotonic()
+        packets = 0
         has_warned = False
         while True:
             data = self._read()
             now = time.monotonic()
             if data is None:
                 break
-            if data:
-                heard = now
             over = receiver.receive(data, now) + receiver.poll(now)
+            if receiver.traffic.packets != packets:
+                packets, heard = receiver.traffic.packets, now
             self._answer(receiver.answers())
             for frame in over:
                 if frame.is_complete or self._incomplete:
@@ -134,7 +135,7 @@ def frames(
     written too, rows that get lost are asked for, and complete frames are acknowledged.
 
     With `incomplete`, frames that lack rows are returned too. With `wait`, it ends after so many seconds
-    without a byte.
+    without a packet; other bytes don't count.
 
     Raises `ProtocolError` if the sender speaks another version of the protocol, and `OSError` if the source
     can't be opened or fails (`serial.SerialException` is one).

@@ -16,7 +16,7 @@ pub struct Memory<'m> {
     pub pixels: &'m mut [u8],
     /// A flag for each row.
     pub rows: &'m mut [bool],
-    /// For rows that were coded together: two more than the width. Without it, rows are taken that were
+    /// For rows that were coded together: as long as the width. Without it, rows are taken that were
     /// sent each for itself.
     pub above: &'m mut [u16],
 }

@@ -15,6 +15,26 @@ use super::serve_error::ServeError;
 /// events before that. `read_ready` must not wait. An answer that can't be written is lost, as it may be on the
 /// line, and costs no event.
 ///
+/// ```
+/// use embedded_io::{Read, ReadReady, Write};
+/// use scancsg::stream::{Event, Looks, Memory, Receiver, ServeError, Timing, receive};
+///
+/// /// Waits for a whole frame of up to 160×120 grey pixels, and gives its middle row to `show`.
+/// fn one_frame<L: Read + ReadReady + Write>(
+///     line: &mut L,
+///     mut show: impl FnMut(&[u8]),
+/// ) -> Result<(), ServeError<L::Error>> {
+///     let (mut pixels, mut rows, mut above) = ([0; 160 * 120], [false; 120], [0; 160]);
+///     let memory = Memory { pixels: &mut pixels, rows: &mut rows, above: &mut above };
+///     let timing = Timing { ask: 500_000, give_up: 20_000_000 }; // looks
+///     let mut receiver = Receiver::<256>::new(memory, timing);
+///     let mut clock = Looks::new();
+///     while receive(&mut receiver, line, &mut clock)? != Event::Complete {}
+///     show(receiver.frame().row(60).unwrap_or_default());
+///     Ok(())
+/// }
+/// ```
+///
 /// # Errors
 ///
 /// [`ServeError::Write`], [`ServeError::Read`] or [`ServeError::Closed`] if the line fails.
