@@ -75,11 +75,13 @@ macro_rules! programs {
 programs! {
     "program: tee": tee::<Number>(), orthographic,
         tee_rows, tee_program, tee_view, tee_row, tee_frame;
+    // In fixed point, all of it is more than 256 KB of flash.
+    #[cfg(not(number = "i16f16"))]
     "program: tee in perspective": tee::<Number>(), perspective,
         tee_p_rows, tee_p_program, tee_p_view, tee_p_row, tee_p_frame;
     "program: field of 16": field::<Number, 16>(), orthographic,
         field_16_rows, field_16_program, field_16_view, field_16_row, field_16_frame;
-    #[cfg(not(board = "microbit"))]
+    #[cfg(not(any(board = "microbit", number = "i16f16")))]
     "program: field of 64": field::<Number, 64>(), orthographic,
         field_64_rows, field_64_program, field_64_view, field_64_row, field_64_frame;
     // No board has the 64 KB that it and its picture need.

@@ -4,7 +4,7 @@ use crate::board::{Board, Number};
 use crate::boards::{self, Boards};
 use crate::paths::root;
 use crate::toolchain::{self, has_program};
-use crate::{faults, layers, log, python, web};
+use crate::{faults, layers, log, pico, python, web};
 use std::fs;
 use std::process::Command;
 use std::time::Instant;
@@ -26,7 +26,7 @@ struct Step {
 }
 
 /// Quick ones first.
-const STEPS: [Step; 15] = [
+const STEPS: [Step; 17] = [
     Step { name: "format", what: "every file is formatted", run: format },
     Step { name: "layers", what: "files import downwards, and in no circle", run: layers },
     Step { name: "lints", what: "clippy, on all members and all features", run: lints },
@@ -41,13 +41,19 @@ const STEPS: [Step; 15] = [
         run: stream,
     },
     Step { name: "package", what: "a dependent gets the crate, and nothing else", run: package },
-    Step { name: "python", what: "the Python package receives what was sent", run: python::check },
+    Step { name: "scad", what: "OpenSCAD's parts have its volumes and outlines", run: scad },
+    Step {
+        name: "python",
+        what: "the Python package receives what was sent",
+        run: package_of_python,
+    },
     Step { name: "web", what: "the page in a browser has the host's bits", run: page },
     Step {
         name: "boards",
         what: "firmware on five boards: pictures, sizes, instructions",
         run: all_boards,
     },
+    Step { name: "pico", what: "a Pico in another emulator has the host's picture", run: pico },
     Step { name: "log", what: "firmware's log", run: logs },
     Step { name: "faults", what: "firmware on a line with faults", run: with_faults },
 ];
@@ -182,6 +188,31 @@ fn is_packaged(path: &str) -> bool {
         || ["README.md", "CHANGELOG.md", ".cargo_vcs_info.json"].contains(&path)
         || path.starts_with("LICENSE-")
         || path.starts_with("Cargo.")
+}
+
+fn scad() -> Result<(), String> {
+    if !has_program("openscad") {
+        install(&["openscad"])?;
+    }
+    done(&mut command("cargo test --release --package scancsg-scad -- --include-ignored"))
+}
+
+fn package_of_python() -> Result<(), String> {
+    if output(&mut command("python3 -m pip --version")).is_err() {
+        install(&["python3-pip"])?;
+    }
+    python::check()
+}
+
+fn pico() -> Result<(), String> {
+    ensure_board_tools()?;
+    let missing: Vec<&str> = [("node", "nodejs"), ("npm", "npm")]
+        .into_iter()
+        .filter(|(program, _)| !has_program(program))
+        .map(|(_, package)| package)
+        .collect();
+    install(&missing)?;
+    pico::check()
 }
 
 fn page() -> Result<(), String> {

@@ -13,6 +13,7 @@ mod host;
 mod layers;
 mod log;
 mod paths;
+mod pico;
 #[path = "../../examples/bench/points.rs"]
 mod points;
 mod profile;

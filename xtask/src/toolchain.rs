@@ -188,6 +188,18 @@ impl Toolchain {
         Ok(folder.join(WEB).join(PROFILE).join("scancsg_web.wasm"))
     }
 
+    /// Builds the firmware of a package that is a workspace of its own, in a folder of `boards/`.
+    pub fn build_package(&self, name: &str, target: &str) -> Result<PathBuf, String> {
+        let folder = root().join("target/boards").join(name);
+        let mut command = self.cargo(target, "");
+        command
+            .current_dir(root().join("boards").join(name))
+            .args(["build", "--quiet", "--release", "--locked"])
+            .env("CARGO_TARGET_DIR", &folder);
+        output(&mut command)?;
+        Ok(folder.join(target).join("release").join(name))
+    }
+
     /// A command of cargo's that uses this compiler, with flags besides.
     fn cargo(&self, target: &str, flags: &str) -> Command {
         let mut flags = flags.to_owned();
