@@ -107,6 +107,10 @@ fn is_sent_as<P: Bytes>(row: &[P], bytes: &[u8]) {
 #[test]
 fn bytes_on_the_link_are_little_endian() {
     is_sent_as(&[Rgb565(0x1234)], &[0x34, 0x12]);
+    // What is bytes already, as displays take it.
+    assert_eq!(RowHash::of(7, &[[0x12, 0x34]]), RowHash::of(7, &[Rgb565(0x1234)]));
+    assert_eq!(RowHash::of(7, &[[0x56]]), RowHash::of(7, &[Gray8(0x56)]));
+    assert_eq!(RowHash::of(7, &[[1, 2, 3]]), RowHash::of(7, &[Rgb888([1, 2, 3])]));
     is_sent_as(&[Gray8(0x56)], &[0x56]);
     is_sent_as(&[Rgb888([1, 2, 3])], &[1, 2, 3]);
     is_sent_as(&[1, 0, 0, 0, 0, 0, 0, 1, 0, 1].map(|bit| Mono(bit == 1)), &[0x81, 0x40]);

@@ -69,7 +69,8 @@ impl PixelFormat {
 
 /// A pixel that can be sent: it says which of the link's pixels it is.
 ///
-/// [`Gray8`], [`Rgb565`], [`Rgb888`] and [`Mono`] are such pixels. A display's own type becomes one by
+/// [`Gray8`], [`Rgb565`], [`Rgb888`], [`Mono`] and rows of bytes (`[u8; 2]`, the upper byte first) are such
+/// pixels. A display's own type becomes one by
 /// [`to_wire`](WirePixel::to_wire), in whatever order of bytes the display wants its colours:
 ///
 /// ```
@@ -197,3 +198,28 @@ wire!(Mono, 1, |pixels| {
     let bits = pixels.iter().map(|pixel| u8::from(pixel.to_wire().0));
     [bits.zip((0..8).rev()).fold(0, |byte, (bit, place)| byte | bit << place)]
 });
+
+impl WirePixel for [u8; 1] {
+    type Wire = Gray8;
+
+    fn to_wire(self) -> Gray8 {
+        let [level] = self;
+        Gray8(level)
+    }
+}
+
+impl WirePixel for [u8; 2] {
+    type Wire = Rgb565;
+
+    fn to_wire(self) -> Rgb565 {
+        Rgb565(u16::from_be_bytes(self))
+    }
+}
+
+impl WirePixel for [u8; 3] {
+    type Wire = Rgb888;
+
+    fn to_wire(self) -> Rgb888 {
+        Rgb888(self)
+    }
+}
