@@ -1,7 +1,7 @@
 //! What the examples need of a board: a serial port, a console, an instruction counter, the stack's
 //! high-water mark, and a way to end.
 //!
-//! The board is chosen by `--cfg board="…"`, which `.cargo/config.toml` gives for each target. A board
+//! The board is chosen by `--cfg board="…"`, which `examples/build.rs` gives for each target. A board
 //! of yours is `--cfg board="yours"`, which wins over that one: `yours.rs` is for its serial port, and
 //! the top-level `memory.x` for its memory.
 
@@ -36,7 +36,7 @@ pub use riscv_rt::entry;
     board = "yours"
 )))]
 compile_error!(
-    "no board is chosen, or none that is known. `.cargo/config.toml` chooses one for each target by \
+    "no board is chosen, or none that is known. `examples/build.rs` chooses one for each target by \
      `--cfg board=\"…\"`: microbit, lm3s6965, an386, an505 or virt; \"yours\" is a board of yours \
      (README, \"On your board\"). If it does, a RUSTFLAGS variable has replaced its flags: use \
      CARGO_TARGET_<TRIPLE>_RUSTFLAGS instead"
