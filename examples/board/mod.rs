@@ -38,6 +38,5 @@ pub use riscv_rt::entry;
 compile_error!(
     "no board is chosen, or none that is known. `examples/build.rs` chooses one for each target by \
      `--cfg board=\"…\"`: microbit, lm3s6965, an386, an505 or virt; \"yours\" is a board of yours \
-     (README, \"On your board\"). If it does, a RUSTFLAGS variable has replaced its flags: use \
-     CARGO_TARGET_<TRIPLE>_RUSTFLAGS instead"
+     (README, \"On your board\")."
 );
