@@ -377,6 +377,36 @@ fn a_frame_that_is_too_large_is_refused() {
 }
 
 /// Both tools, with noise on the line between them: the frames are those of a clean line.
+/// The header of a frame of 4×3 pixels in version 1 of the protocol.
+const VERSION_1: &[u8] = &[
+    0x00, 0x04, 0x01, 0x01, 0x05, 0x02, 0x04, 0x02, 0x03, 0x01, 0x05, 0x4D, 0x37, 0x26, 0x98, 0x00,
+];
+
+#[test]
+fn another_version_is_refused_by_name() {
+    let directory = directory("version");
+    fs::create_dir_all(&directory).unwrap();
+    let recording = directory.join("line.bin");
+    fs::write(&recording, [VERSION_1, &Frame::new(5, 4, 3).rows(3)].concat()).unwrap();
+    let never = directory.join("never.png");
+    let replay = ["--replay", text(&recording), "--out", text(&never)];
+    let message = ends(Guarded::spawn(example("view").args(replay)), 1);
+    assert!(message.contains("another version"), "{message}");
+}
+
+#[test]
+fn a_recording_is_not_overwritten_by_its_replay() {
+    let directory = directory("same_file");
+    fs::create_dir_all(&directory).unwrap();
+    let recording = directory.join("line.bin");
+    let line = Frame::new(5, 4, 3).all();
+    fs::write(&recording, &line).unwrap();
+    let same = ["--replay", text(&recording), "--record", text(&recording)];
+    let message = ends(Guarded::spawn(example("view").args(same)), 1);
+    assert!(message.contains("at once"), "{message}");
+    assert_eq!(fs::read(&recording).unwrap(), line);
+}
+
 #[test]
 fn view_receives_what_stream_sends() {
     let [noisy, clean] = ["noisy-line.png", "clean-line.png"].map(scratch);

@@ -160,7 +160,13 @@ impl Run<'_> {
             if self.is_interrupted.load(Ordering::Relaxed) {
                 return Ok(End::Interrupted);
             }
-            match self.session.listen() {
+            let news = self.session.listen();
+            if self.session.traffic().last_error == Some(PacketError::Version) {
+                return Err(format!(
+                    "the sender speaks another version of the protocol than {PROTOCOL_VERSION}"
+                ));
+            }
+            match news {
                 News::Begun | News::Rows => self.progress = Instant::now(),
                 News::Frame(frame) => {
                     if let Some(end) = self.take(frame)? {
@@ -174,11 +180,6 @@ impl Run<'_> {
                 News::Refused(_) | News::Nothing => {}
                 News::Closed if self.device.is_none() => return Ok(End::Replayed),
                 News::Closed => self.reconnect(),
-            }
-            if self.session.traffic().last_error == Some(PacketError::Version) {
-                return Err(format!(
-                    "the sender speaks another version of the protocol than {PROTOCOL_VERSION}"
-                ));
             }
             if let Some(failure) = self.session.port().failure() {
                 return Err(failure.clone());

@@ -5,7 +5,9 @@ import random
 import socket
 import struct
 import tempfile
+import time
 import unittest
+import warnings
 from zlib import crc32
 
 import scancsg
@@ -159,6 +161,20 @@ class Sources(unittest.TestCase):
     def test_no_port(self) -> None:
         with self.assertRaises(OSError):
             next(scancsg.frames("/nowhere/at/all"))
+
+    def test_garbage_is_not_waited_for(self) -> None:
+        class Garbage:
+            """A port at a wrong speed: it never falls silent."""
+
+            in_waiting = 64
+
+            def read(self, size: int = 1) -> bytes:
+                time.sleep(0.001)
+                return b"\x55" * size
+
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            self.assertEqual(list(scancsg.frames(Garbage(), wait=0.2)), [])
 
     def test_bytes_but_no_packet(self) -> None:
         with self.assertWarnsRegex(UserWarning, "no packet"):
