@@ -2,6 +2,7 @@
 
 use crate::board::{Board, Number};
 use crate::boards::{self, Boards};
+use crate::command::done;
 use crate::paths::root;
 use crate::toolchain::{self, has_program};
 use crate::{faults, layers, log, pico, python, web};
@@ -90,11 +91,6 @@ fn command(words: &str) -> Command {
     let mut command = Command::new(words.next().unwrap_or_default());
     command.args(words).current_dir(root()).env("CARGO_TERM_COLOR", "never");
     command
-}
-
-fn done(command: &mut Command) -> Result<(), String> {
-    let status = command.status().map_err(|error| format!("{command:?}: {error}"))?;
-    if status.success() { Ok(()) } else { Err(format!("{command:?}: {status}")) }
 }
 
 fn output(command: &mut Command) -> Result<String, String> {

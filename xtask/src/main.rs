@@ -4,6 +4,7 @@ mod board;
 mod boards;
 mod boot;
 mod ci;
+mod command;
 mod counts;
 mod decode;
 mod elf;

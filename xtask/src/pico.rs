@@ -1,5 +1,6 @@
 //! A Raspberry Pi Pico in an emulator from the npm registry: its picture is the host's.
 
+use crate::command::done;
 use crate::paths::root;
 use crate::toolchain;
 use std::fs;
@@ -46,9 +47,4 @@ pub fn check() -> Result<(), String> {
     } else {
         Err("the emulated Pico's picture is not the host's".to_owned())
     }
-}
-
-fn done(command: &mut Command) -> Result<(), String> {
-    let status = command.status().map_err(|error| format!("{command:?}: {error}"))?;
-    if status.success() { Ok(()) } else { Err(format!("{command:?}: {status}")) }
 }

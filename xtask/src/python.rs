@@ -1,5 +1,6 @@
 //! The Python package: installed as users do it, and received with.
 
+use crate::command::done;
 use crate::paths::root;
 use std::process::Command;
 
@@ -24,9 +25,4 @@ pub fn check() -> Result<(), String> {
             .current_dir(root())
             .env("SCANCSG_PYTHON", &site),
     )
-}
-
-fn done(command: &mut Command) -> Result<(), String> {
-    let status = command.status().map_err(|error| format!("{command:?}: {error}"))?;
-    if status.success() { Ok(()) } else { Err(format!("{command:?}: {status}")) }
 }

@@ -1,5 +1,6 @@
 //! The page: the crate as a module for browsers, and everything else, in one HTML file.
 
+use crate::command::done;
 use crate::paths::root;
 use crate::toolchain::{self, WEB, has_program};
 use std::env;
@@ -82,13 +83,8 @@ fn test(page: &Path) -> Result<(), String> {
     let mut examples = cargo("build --package examples --example stream --example view");
     let mut test = cargo("test --package scancsg-web --test view --test page -- --include-ignored");
     test.env("SCANCSG_PAGE", page).env("SCANCSG_EXAMPLES", target.join("debug/examples"));
-    for command in [&mut examples, &mut test] {
-        let status = command.status().map_err(|error| format!("{command:?}: {error}"))?;
-        if !status.success() {
-            return Err(format!("{command:?}: {status}"));
-        }
-    }
-    Ok(())
+    done(&mut examples)?;
+    done(&mut test)
 }
 
 #[cfg(test)]
