@@ -2,7 +2,6 @@
 
 use super::cone::Frustum;
 use super::convex::HalfSpaces;
-use super::walk::NOWHERE;
 use crate::error::Error;
 use crate::map::{Map, Vector};
 use crate::place::{Body, Placed};
@@ -10,7 +9,13 @@ use crate::tree::Form;
 use scancsg::geom::{AffineMap, Axis, Line};
 use scancsg::render::Rgb;
 use scancsg::solid::{Cone, Cuboid, Cylinder, Scaled, Solid, Sphere, Torus};
-use scancsg::span::{Face, Shape, Span, SpanList};
+use scancsg::span::{Crossing, Face, Shape, Span, SpanList};
+
+/// The place of a span that a line doesn't have.
+pub(super) const NOWHERE: Span<f64> = {
+    let never = Crossing { t: f64::INFINITY, face: Face(0) };
+    Span { enter: never, exit: never }
+};
 
 /// A solid of a scene.
 #[derive(Debug)]

@@ -1,13 +1,13 @@
 //! The walk along a line through what of a part may be met there.
 
-use super::leaf::into_frame;
+use super::leaf::{NOWHERE, into_frame};
 use super::{Node, Parts};
 use scancsg::geom::{Line, vec3};
 use scancsg::scan::Kept;
 use scancsg::span::walk::{
     Cold, Members, Operands, Path, Side, Step, contains, step, step_of_union,
 };
-use scancsg::span::{Crossing, Face, Operation, Span};
+use scancsg::span::{Face, Operation, Span};
 
 /// The nodes that matter in a run of columns, and the spans of one line with their solids.
 #[derive(Debug, Clone)]
@@ -60,11 +60,6 @@ impl Visible for All {
 }
 
 const NO_LINE: i64 = i64::MIN;
-
-pub(super) const NOWHERE: Span<f64> = {
-    let never = Crossing { t: f64::INFINITY, face: Face(0) };
-    Span { enter: never, exit: never }
-};
 
 impl Walk {
     pub(super) const EMPTY: Self = Self {
