@@ -78,7 +78,7 @@ struct Sent {
     unheard: u32,
 }
 
-/// Sends to a real device, and waits for it to acknowledge. Returns what is not as it should be.
+/// Sends to a real device, and waits for it to acknowledge. Returns the problems.
 fn send_to_device(args: &Args, device: &str) -> Result<Vec<String>, String> {
     let port = port::open(device, args.baud.unwrap_or(115_200))?;
     let start = Instant::now();

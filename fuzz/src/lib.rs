@@ -16,7 +16,7 @@ const CAPACITY: usize = packet_capacity(WIDTH, PixelFormat::Rgb888);
 const PATIENCE: Patience = Patience { ticks: 100, silences: 3 };
 const TIMING: Timing = Timing { ask: 50, give_up: 1000 };
 
-/// Bytes as a script: what is not there is zero.
+/// Bytes as a script. Behind its end, it reads zeros.
 struct Script<'a>(&'a [u8]);
 
 impl<'a> Script<'a> {

@@ -293,7 +293,7 @@ impl Random {
         ((u64::from(self.next()) * u64::from(n)) >> 32) as u32
     }
 
-    /// True in this share of times. What is not a share is never or always.
+    /// True in this share of times. A rate of 0 or less, or NaN, is never; a rate of 1 or more is always.
     fn chance(&mut self, share: f32) -> bool {
         const TWO_TO_THE_32: f32 = 4_294_967_296.0;
         // Nothing is drawn for what never happens, so that one fault does not change another one's places.

@@ -350,7 +350,7 @@ impl Policy {
             self.step = self.step.saturating_mul(2).min(self.timing.ask.saturating_mul(8));
             self.next = quiet.saturating_add(self.step);
             self.answers.clear();
-            // Either may be the sender's frame now: it ignores what is not.
+            // Either may be the sender's frame now. The sender ignores requests for any other.
             if let Some(unknown) = unknown {
                 self.ask(unknown, Part::Header);
             }

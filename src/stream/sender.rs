@@ -267,7 +267,7 @@ impl<C: Coding, const N: usize> Sender<C, N> {
         let open = self.state.open.unwrap_or(Open { y, count: 0, is_repair });
         let payload = rows_payload(&mut self.packet, limit.into());
         let mut fits = open.is_followed_by(y, is_repair) && self.coding.push(pixels, payload);
-        if !fits && open.count == 0 {
+        if !fits && open.count == 0 && limit < MAX_LIMIT {
             // A row that is longer than the limit is still shorter so than by itself.
             self.coding.begin();
             fits = self.coding.push(pixels, rows_payload(&mut self.packet, MAX_LIMIT.into()));
