@@ -134,7 +134,7 @@ fn features() -> Result<(), String> {
     done(&mut command(
         "cargo test --package scancsg --all-features --test embedded_graphics --test serde",
     ))?;
-    done(&mut command("cargo test --package scancsg --all-features --doc interop"))
+    done(&mut command("cargo test --package scancsg --all-features --doc -- interop cookbook"))
 }
 
 fn members() -> Result<(), String> {
