@@ -6,8 +6,8 @@ use crate::part::Program;
 use crate::pixels::{Format, Lit};
 use crate::scene::{KeptScene, PARTS, Scene};
 use crate::status::Status;
+use core::mem::MaybeUninit;
 use core::ops::Range;
-use core::ptr;
 use scancsg::geom::{OrthographicRays, PerspectiveRays, Rays};
 use scancsg::render::{self, Camera, Lambert, Orthographic, Perspective, Pixel, Rgb, Run, Size};
 use scancsg::solid::Scan;
@@ -184,20 +184,47 @@ where
     let size = Size::new(view.width, view.height)?;
     let [r, g, b] = view.background;
     let background = Lit::shaded(Rgb::new(r, g, b), u8::MAX);
-    let (mark, edits) = (Head::MARK, scene.edits);
-    // SAFETY: the place is aligned and large enough.
-    unsafe {
-        ptr::addr_of_mut!((*place).picture).write(render::Picture::new(
-            &scene.program,
-            &camera,
-            size,
-            light,
-            background,
-        ));
-        let render = render::<C::Rays>;
-        ptr::addr_of_mut!((*place).head).write(Head { mark, edits, scene: storage, size, render });
-    }
+    let head = Head {
+        mark: Head::MARK,
+        edits: scene.edits,
+        scene: storage,
+        size,
+        render: render::<C::Rays>,
+    };
+    // SAFETY: the place is aligned and large enough, and the caller has lent it.
+    let place = unsafe { &mut *place.cast::<MaybeUninit<KeptPicture<C::Rays>>>() };
+    put(place, head, &scene.program, Aimed(camera.rays(size)), light, background);
     Ok(())
+}
+
+/// A camera whose rays are computed.
+struct Aimed<R>(R);
+
+impl<R: Rays> Camera for Aimed<R> {
+    type Rays = R;
+
+    fn rays(&self, _: Size) -> R {
+        self.0
+    }
+}
+
+/// Puts a picture into its place. Here nothing is called: otherwise the compiler would make the picture on the
+/// stack, and copy it from there.
+#[inline(never)]
+fn put<R>(
+    place: &mut MaybeUninit<KeptPicture<R>>,
+    head: Head,
+    program: &'static Program,
+    rays: Aimed<R>,
+    light: Lambert<Scalar>,
+    background: Lit,
+) where
+    R: Rays<Scalar = Scalar>,
+    Program: Scan<R>,
+{
+    let size = head.size;
+    let picture = render::Picture::new(program, &rays, size, light, background);
+    place.write(KeptPicture { head, picture });
 }
 
 /// The columns that are rendered together.

@@ -1,0 +1,211 @@
+//! The library for programs in C: its header, its programs on this computer and on boards, and its folder for
+//! Arduino.
+
+use crate::board::{Board, Number};
+use crate::command::done;
+use crate::paths::root;
+use crate::{boot, elf, toolchain};
+use std::env;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The compiler for boards, from Debian's package `gcc-arm-none-eabi`.
+pub const CROSS: &str = "arm-none-eabi-gcc";
+
+/// Every warning is an error.
+const STRICT: [&str; 5] = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"];
+
+/// Memory is watched, and what C leaves undefined.
+const WATCHED: [&str; 3] =
+    ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=undefined"];
+
+/// The boards whose C programs are linked and booted.
+const BOARDS: [(Board, Number); 2] =
+    [(Board::Microbit, Number::I16f16), (Board::An386, Number::F32)];
+
+/// A folder of Arduino's for a core, its target, and the number type that `ScancsgArduino.h` takes there.
+const ARDUINO: [(&str, &str, Number); 3] = [
+    ("cortex-m0plus", "thumbv6m-none-eabi", Number::I16f16),
+    ("cortex-m3", "thumbv7m-none-eabi", Number::I16f16),
+    ("cortex-m4/fpv4-sp-d16-hard", "thumbv7em-none-eabihf", Number::F32),
+];
+
+/// Checks all of it.
+pub fn check() -> Result<(), String> {
+    done(Command::new("cargo").args(["test", "--package", "scancsg-capi"]).current_dir(root()))?;
+    for number in Number::ALL {
+        on_host(number)?;
+    }
+    for (board, number) in BOARDS {
+        on_board(board, number)?;
+    }
+    Ok(())
+}
+
+/// What a C compiler needs to know of a number type.
+fn define(number: Number) -> &'static [&'static str] {
+    match number {
+        Number::F32 => &[],
+        Number::I16f16 => &["-DSCANCSG_I16F16"],
+    }
+}
+
+/// The same for cargo.
+fn features(number: Number) -> &'static str {
+    match number {
+        Number::F32 => "",
+        Number::I16f16 => "i16f16",
+    }
+}
+
+fn source(path: &str) -> PathBuf {
+    root().join("capi").join(path)
+}
+
+/// A command of a C compiler's.
+fn compile(compiler: &str, number: Number) -> Command {
+    let mut command = Command::new(compiler);
+    command.args(STRICT).args(define(number)).arg("-I").arg(source("include"));
+    command
+}
+
+fn output(command: &mut Command) -> Result<String, String> {
+    let output = command.output().map_err(|error| format!("{command:?}: {error}"))?;
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    if output.status.success() {
+        return Ok(text);
+    }
+    Err(format!("{command:?}: {text}{}", String::from_utf8_lossy(&output.stderr)))
+}
+
+/// The rows of both cameras, one after the other, as `tests/golden` has them.
+fn golden(number: Number) -> Result<String, String> {
+    let end = match number {
+        Number::F32 => "",
+        Number::I16f16 => "_i16f16",
+    };
+    let file = |camera: &str| {
+        let path = root().join(format!("tests/golden/tee_160x120_{camera}{end}.txt"));
+        fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))
+    };
+    Ok(file("orthographic")? + &file("perspective")?)
+}
+
+/// Compares rows with those of `tests/golden`.
+fn compare(said: &str, number: Number) -> Result<(), String> {
+    let want = golden(number)?;
+    let rows = said.lines().zip(want.lines()).filter(|(got, want)| got == want).count();
+    let count = want.lines().count();
+    if rows == count && count > 0 {
+        println!("{rows} rows are those of tests/golden");
+        return Ok(());
+    }
+    Err(format!("only {rows} rows of {count} are those of tests/golden:\n{said}"))
+}
+
+/// Builds the C programs for this computer, and runs them.
+fn on_host(number: Number) -> Result<(), String> {
+    done(
+        Command::new("cargo")
+            .args(["build", "--quiet", "--package", "scancsg-capi"])
+            .args(["--features", features(number)])
+            .current_dir(root()),
+    )?;
+    let target =
+        env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
+    let library = target.join("debug/libscancsg_capi.a");
+    let folder = root().join("target/c").join(number.name());
+    fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    let build = |name: &str, path: &str, flags: &[&str]| {
+        let program = folder.join(name);
+        let mut command = compile("cc", number);
+        command.args(flags).arg(source(path)).arg(&library).arg("-o").arg(&program);
+        done(command.args(["-lpthread", "-ldl", "-lm"])).map(|()| program)
+    };
+    compare(&output(&mut Command::new(build("tee", "examples/tee.c", &[])?))?, number)?;
+    print!("{}", output(&mut Command::new(build("border", "tests/border.c", &WATCHED)?))?);
+    Ok(())
+}
+
+/// Links the example for a board, looks what is in it, and boots it.
+fn on_board(board: Board, number: Number) -> Result<(), String> {
+    let toolchain = toolchain::find(board.target())?;
+    let library = toolchain.build_library(board.target(), features(number))?;
+    let elf = root().join("target/c").join(format!("{board}-{number}.elf"));
+    link(board, number, &library, &elf)?;
+    let contents = elf::Contents::read(&elf)?;
+    println!("{board}, {number}: {} bytes of flash, {} of variables", contents.flash, contents.ram);
+    // In `f32`, angles and directions that are no axis take some `f64`.
+    let is_meant = |problem: &String| number == Number::F32 && problem.contains("f64");
+    let problems: Vec<String> =
+        contents.problems(number).filter(|problem| !is_meant(problem)).collect();
+    if !problems.is_empty() {
+        return Err(format!("{board}, {number}: {}", problems.join("; ")));
+    }
+    let said = boot::listen(board, &elf)?;
+    said.lines().filter(|line| line.starts_with("stack")).for_each(|line| println!("{line}"));
+    compare(&said, number)
+}
+
+fn link(board: Board, number: Number, library: &Path, elf: &Path) -> Result<(), String> {
+    let (core, ram): (&[&str], _) = match board {
+        Board::Microbit => (&["-mcpu=cortex-m0"], "0x4000"),
+        Board::An386 => (&["-mcpu=cortex-m4", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"], "0x10000"),
+        _ => return Err(format!("no C program is linked for {board}")),
+    };
+    let mut command = compile(CROSS, number);
+    command
+        .args(core)
+        .args(["-Os", "-ffreestanding", "-nostdlib", "-Wl,--gc-sections"])
+        .arg(format!("-Wl,--defsym=_ram_size={ram}"))
+        .arg("-L")
+        .arg(root())
+        .arg("-T")
+        .arg(source("examples/board.ld"))
+        .args([source("examples/tee.c"), source("examples/board.c")])
+        .arg(library)
+        .args(["-lgcc", "-o"])
+        .arg(elf);
+    done(&mut command)
+}
+
+/// Writes the library for Arduino to `target/arduino/Scancsg`.
+pub fn arduino() -> Result<(), String> {
+    let folder = root().join("target/arduino/Scancsg");
+    copy_folder(&source("arduino"), &folder)?;
+    copy(&source("include/scancsg.h"), &folder.join("src/scancsg.h"))?;
+    for (place, target, number) in ARDUINO {
+        let library = toolchain::find(target)?.build_library(target, features(number))?;
+        copy(&library, &folder.join("src").join(place).join("libscancsg.a"))?;
+    }
+    println!("{}", folder.display());
+    Ok(())
+}
+
+fn copy(from: &Path, to: &Path) -> Result<(), String> {
+    let error = |error: std::io::Error| format!("{}: {error}", to.display());
+    fs::create_dir_all(to.parent().unwrap_or(to)).map_err(error)?;
+    fs::copy(from, to).map(drop).map_err(error)
+}
+
+fn copy_folder(from: &Path, to: &Path) -> Result<(), String> {
+    let error = |error: std::io::Error| format!("{}: {error}", from.display());
+    for entry in fs::read_dir(from).map_err(error)? {
+        let entry = entry.map_err(error)?;
+        let (path, to) = (entry.path(), to.join(entry.file_name()));
+        if path.is_dir() { copy_folder(&path, &to) } else { copy(&path, &to) }?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod trial {
+    #[test]
+    #[ignore]
+    fn boards() {
+        for (board, number) in super::BOARDS {
+            println!("{:?}", super::on_board(board, number));
+        }
+    }
+}
