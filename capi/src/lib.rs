@@ -19,6 +19,7 @@
 extern crate std;
 
 mod border;
+mod lent;
 pub mod number;
 pub mod packet;
 mod part;

@@ -1,16 +1,17 @@
 //! Pictures: what a camera sees of a scene, row by row.
 
 use crate::border::{self, Kept, Plain};
+use crate::lent::Lent;
 use crate::number::{Number, Scalar, scalar, vector};
 use crate::part::Program;
 use crate::pixels::{Format, Lit};
 use crate::scene::{KeptScene, PARTS, Scene};
 use crate::status::Status;
-use core::mem::MaybeUninit;
+use core::cell::Cell;
 use core::ops::Range;
 use scancsg::geom::{OrthographicRays, PerspectiveRays, Rays};
 use scancsg::render::{self, Camera, Lambert, Orthographic, Perspective, Pixel, Rgb, Run, Size};
-use scancsg::solid::Scan;
+use scancsg::scan::{Empty, Scan};
 
 /// A camera, a light, and the size of a picture.
 #[derive(Debug, Clone, Copy, Default)]
@@ -49,7 +50,7 @@ pub struct Picture {
 }
 
 /// The size of a picture, in words of eight bytes.
-pub const PICTURE_WORDS: usize = PARTS * PART_WORDS + 32;
+pub const PICTURE_WORDS: usize = PARTS * PART_WORDS + 48;
 
 /// What a picture needs for a part, in words of eight bytes.
 #[cfg(not(any(feature = "i16f16", feature = "torus")))]
@@ -84,12 +85,15 @@ unsafe impl Kept for Head {
 
 /// What is in a picture's memory.
 #[repr(C)]
-struct KeptPicture<R: Rays>
+struct KeptPicture<R: Rays + 'static>
 where
     Program: Scan<R>,
 {
     head: Head,
-    picture: render::Picture<'static, Program, R, Lambert<Scalar>, Lit>,
+    view: <Program as Scan<R>>::View,
+    row: <Program as Scan<R>>::Row,
+    solid: Lent<R>,
+    picture: render::Picture<'static, Lent<R>, R, Lambert<Scalar>, Lit>,
 }
 
 // SAFETY: it begins with a `Head`, which begins with the mark. Nothing in it is dropped.
@@ -169,7 +173,7 @@ unsafe fn make<C: Camera>(
     camera: fn(&View) -> Result<C, Status>,
 ) -> Result<(), Status>
 where
-    C::Rays: Rays<Scalar = Scalar>,
+    C::Rays: Rays<Scalar = Scalar> + 'static,
     Program: Scan<C::Rays>,
     KeptPicture<C::Rays>: Kept<Storage = Picture>,
 {
@@ -191,40 +195,20 @@ where
         size,
         render: render::<C::Rays>,
     };
-    // SAFETY: the place is aligned and large enough, and the caller has lent it.
-    let place = unsafe { &mut *place.cast::<MaybeUninit<KeptPicture<C::Rays>>>() };
-    put(place, head, &scene.program, Aimed(camera.rays(size)), light, background);
-    Ok(())
-}
-
-/// A camera whose rays are computed.
-struct Aimed<R>(R);
-
-impl<R: Rays> Camera for Aimed<R> {
-    type Rays = R;
-
-    fn rays(&self, _: Size) -> R {
-        self.0
+    // SAFETY: the place is aligned and large enough, and the caller has lent it for as long as the picture is
+    // used. Each field is written, and then nobody but the reference made here has it.
+    unsafe {
+        let (view, row) = (&raw mut (*place).view, &raw mut (*place).row);
+        view.write(Empty::EMPTY);
+        row.write(Empty::EMPTY);
+        let solid = &raw mut (*place).solid;
+        let (view, row) = (Cell::new(Some(&mut *view)), Cell::new(Some(&mut *row)));
+        solid.write(Lent { program: &scene.program, view, row });
+        let picture = render::Picture::new(&*solid, &camera, size, light, background);
+        (&raw mut (*place).picture).write(picture);
+        (&raw mut (*place).head).write(head);
     }
-}
-
-/// Puts a picture into its place. Here nothing is called: otherwise the compiler would make the picture on the
-/// stack, and copy it from there.
-#[inline(never)]
-fn put<R>(
-    place: &mut MaybeUninit<KeptPicture<R>>,
-    head: Head,
-    program: &'static Program,
-    rays: Aimed<R>,
-    light: Lambert<Scalar>,
-    background: Lit,
-) where
-    R: Rays<Scalar = Scalar>,
-    Program: Scan<R>,
-{
-    let size = head.size;
-    let picture = render::Picture::new(program, &rays, size, light, background);
-    place.write(KeptPicture { head, picture });
+    Ok(())
 }
 
 /// The columns that are rendered together.
@@ -242,7 +226,7 @@ unsafe fn render<R>(
     bytes: &mut [u8],
 ) -> Result<(), Status>
 where
-    R: Rays<Scalar = Scalar>,
+    R: Rays<Scalar = Scalar> + 'static,
     Program: Scan<R>,
 {
     // SAFETY: the caller says so, and a picture begins with its head.

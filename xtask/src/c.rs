@@ -1,4 +1,4 @@
-//! The library for programs in C: its header, its programs on this computer and on boards, and its folder for
+//! The library for programs in C: its tests, its programs on this computer and on boards, and its folder for
 //! Arduino.
 
 use crate::board::{Board, Number};
@@ -12,6 +12,9 @@ use std::process::Command;
 
 /// The compiler for boards, from Debian's package `gcc-arm-none-eabi`.
 pub const CROSS: &str = "arm-none-eabi-gcc";
+
+/// The same for Arduino's sketches.
+const CROSS_CPP: &str = "arm-none-eabi-g++";
 
 /// Every warning is an error.
 const STRICT: [&str; 5] = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"];
@@ -40,7 +43,7 @@ pub fn check() -> Result<(), String> {
     for (board, number) in BOARDS {
         on_board(board, number)?;
     }
-    Ok(())
+    arduino()
 }
 
 /// What a C compiler needs to know of a number type.
@@ -157,7 +160,7 @@ fn link(board: Board, number: Number, library: &Path, elf: &Path) -> Result<(), 
     let mut command = compile(CROSS, number);
     command
         .args(core)
-        .args(["-Os", "-ffreestanding", "-nostdlib", "-Wl,--gc-sections"])
+        .args(["-Os", "-ffreestanding", "-nostdlib", "-Wl,--gc-sections,-z,noexecstack"])
         .arg(format!("-Wl,--defsym=_ram_size={ram}"))
         .arg("-L")
         .arg(root())
@@ -178,9 +181,37 @@ pub fn arduino() -> Result<(), String> {
     for (place, target, number) in ARDUINO {
         let library = toolchain::find(target)?.build_library(target, features(number))?;
         copy(&library, &folder.join("src").join(place).join("libscancsg.a"))?;
+        // Whoever has no compiler for C++ has one in Arduino.
+        if toolchain::has_program(CROSS_CPP) {
+            sketch(place, &folder)?;
+        }
     }
     println!("{}", folder.display());
     Ok(())
+}
+
+/// Compiles the sketch as Arduino does, and links it with the folder's own library.
+fn sketch(place: &str, folder: &Path) -> Result<(), String> {
+    let (core, float) = place.split_once('/').unwrap_or((place, ""));
+    let mut command = Command::new(CROSS_CPP);
+    command.arg(format!("-mcpu={core}")).arg("-mthumb");
+    if let Some((unit, abi)) = float.rsplit_once('-') {
+        command.arg(format!("-mfpu={unit}")).arg(format!("-mfloat-abi={abi}"));
+    }
+    command
+        .args(["-Os", "-std=gnu++11", "-Wall", "-Wextra", "-Werror", "-ffreestanding"])
+        .args(["-fno-exceptions", "-fno-rtti", "-nostdlib", "-Wl,--gc-sections,-z,noexecstack"])
+        .args(["-Wl,-e,reset,-Ttext=0x10000", "-include"])
+        .arg(source("tests/Arduino.h"))
+        .arg("-I")
+        .arg(folder.join("src"))
+        .args(["-x", "c++"])
+        .arg(folder.join("examples/Tee/Tee.ino"))
+        .args(["-x", "none", "-L"])
+        .arg(folder.join("src").join(place))
+        .args(["-lscancsg", "-lgcc", "-o"])
+        .arg(root().join("target/arduino").join(format!("{core}.elf")));
+    done(&mut command)
 }
 
 fn copy(from: &Path, to: &Path) -> Result<(), String> {
@@ -197,15 +228,4 @@ fn copy_folder(from: &Path, to: &Path) -> Result<(), String> {
         if path.is_dir() { copy_folder(&path, &to) } else { copy(&path, &to) }?;
     }
     Ok(())
-}
-
-#[cfg(test)]
-mod trial {
-    #[test]
-    #[ignore]
-    fn boards() {
-        for (board, number) in super::BOARDS {
-            println!("{:?}", super::on_board(board, number));
-        }
-    }
 }
