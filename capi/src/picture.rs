@@ -43,7 +43,8 @@ pub struct View {
 // SAFETY: it is integers and numbers, and has no padding.
 unsafe impl Plain for View {}
 
-/// The memory of a picture. It isn't moved while the picture is used.
+/// The memory of a picture: a variable of this type, or an allocation of its size. It isn't moved while the
+/// picture is used.
 #[repr(C)]
 pub struct Picture {
     words: [u64; PICTURE_WORDS],
@@ -65,6 +66,9 @@ pub const PART_WORDS: usize = 42;
 #[cfg(all(feature = "i16f16", feature = "torus"))]
 pub const PART_WORDS: usize = 62;
 
+/// Renders columns of a row of a picture into their bytes.
+type Render = unsafe fn(*mut Head, u16, Range<u16>, Format, &mut [u8]) -> Result<(), Status>;
+
 /// What all pictures have.
 #[repr(C)]
 pub(crate) struct Head {
@@ -74,7 +78,7 @@ pub(crate) struct Head {
     scene: *const Scene,
     pub(crate) size: Size,
     /// Renders columns of a row; only the cameras that a program names are linked.
-    render: unsafe fn(*mut Head, u16, Range<u16>, Format, &mut [u8]) -> Result<(), Status>,
+    render: Render,
 }
 
 // SAFETY: the mark is the first field, and always `MARK`; it owns nothing.

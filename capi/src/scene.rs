@@ -21,7 +21,8 @@ pub const POSES: usize = 4;
 pub const POSES: usize = 16;
 
 /// The memory of a scene: a variable of this type, or an allocation of its size, is all that a scene needs.
-/// Its contents are the library's own. It may be moved while it has no picture.
+/// Its contents are the library's own. It may be moved while no picture of it is
+/// used.
 #[repr(C)]
 pub struct Scene {
     words: [u64; SCENE_WORDS],
@@ -57,8 +58,8 @@ impl KeptScene {
 /// `poses` are what `pose` of a step counts. They may be null if there are none. Operands that nothing combines
 /// are united.
 ///
-/// Unless the status is `SCANCSG_STATUS_OK`, the scene isn't built. The first step that failed is then in `failed`,
-/// if that isn't null.
+/// Unless the status is `SCANCSG_STATUS_OK`, the scene isn't built. The index of the step that failed is then in
+/// `failed`, if that isn't null: 0 if it was none of them.
 ///
 /// # Safety
 /// `scene` has `size` bytes, `steps` and `poses` as many elements as their counts say.

@@ -120,15 +120,31 @@ fn on_host(number: Number) -> Result<(), String> {
     let library = target.join("debug/libscancsg_capi.a");
     let folder = root().join("target/c").join(number.name());
     fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-    let build = |name: &str, path: &str, flags: &[&str]| {
+    let build = |name: &str, source: &Path, flags: &[&str]| {
         let program = folder.join(name);
         let mut command = compile("cc", number);
-        command.args(flags).arg(source(path)).arg(&library).arg("-o").arg(&program);
+        command.args(flags).arg(source).arg(&library).arg("-o").arg(&program);
         done(command.args(["-lpthread", "-ldl", "-lm"])).map(|()| program)
     };
-    compare(&output(&mut Command::new(build("tee", "examples/tee.c", &[])?))?, number)?;
-    print!("{}", output(&mut Command::new(build("border", "tests/border.c", &WATCHED)?))?);
+    compare(&output(&mut Command::new(build("tee", &source("examples/tee.c"), &[])?))?, number)?;
+    // README's own program, so that it stays true.
+    let readme = folder.join("readme.c");
+    fs::write(&readme, readme_program()?).map_err(|error| error.to_string())?;
+    let drawn = output(&mut Command::new(build("readme", &readme, &[])?))?;
+    println!("{}", drawn.trim_end());
+    if drawn.lines().count() != 32 || !drawn.contains('#') {
+        return Err("README's program draws no plate".to_owned());
+    }
+    print!("{}", output(&mut Command::new(build("border", &source("tests/border.c"), &WATCHED)?))?);
     Ok(())
+}
+
+/// The program of the package's README.
+fn readme_program() -> Result<String, String> {
+    let path = source("README.md");
+    let text = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let program = text.split_once("```c\n").and_then(|(_, rest)| rest.split_once("```"));
+    program.map(|(program, _)| program.to_owned()).ok_or("the README has no program".to_owned())
 }
 
 /// Links the example for a board, looks what is in it, and boots it.
