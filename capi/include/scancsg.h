@@ -57,7 +57,7 @@
 #define SCANCSG_SCENE_WORDS (((SCANCSG_PARTS * 8) + (SCANCSG_POSES * 6)) + SCANCSG_PART_WORDS)
 
 // The size of a picture, in words of eight bytes.
-#define SCANCSG_PICTURE_WORDS ((SCANCSG_PARTS * SCANCSG_PART_WORDS) + 32)
+#define SCANCSG_PICTURE_WORDS ((SCANCSG_PARTS * SCANCSG_PART_WORDS) + 48)
 
 #if !(defined(SCANCSG_I16F16) || defined(SCANCSG_TORUS))
 // What a picture needs for a part, in words of eight bytes.
@@ -241,7 +241,8 @@ typedef uint8_t scancsg_format;
 #endif // __cplusplus
 
 // The memory of a scene: a variable of this type, or an allocation of its size, is all that a scene needs.
-// Its contents are the library's own. It may be moved while it has no picture.
+// Its contents are the library's own. It may be moved while no picture of it is
+// used.
 typedef struct scancsg_scene {
     uint64_t words[SCANCSG_SCENE_WORDS];
 } scancsg_scene;
@@ -286,7 +287,8 @@ typedef struct scancsg_motion {
     scancsg_number shift[3];
 } scancsg_motion;
 
-// The memory of a picture. It isn't moved while the picture is used.
+// The memory of a picture: a variable of this type, or an allocation of its size. It isn't moved while the
+// picture is used.
 typedef struct scancsg_picture {
     uint64_t words[SCANCSG_PICTURE_WORDS];
 } scancsg_picture;
@@ -346,8 +348,8 @@ const char *scancsg_status_text(int32_t status);
 // `poses` are what `pose` of a step counts. They may be null if there are none. Operands that nothing combines
 // are united.
 //
-// Unless the status is `SCANCSG_STATUS_OK`, the scene isn't built. The first step that failed is then in `failed`,
-// if that isn't null.
+// Unless the status is `SCANCSG_STATUS_OK`, the scene isn't built. The index of the step that failed is then in
+// `failed`, if that isn't null: 0 if it was none of them.
 //
 // # Safety
 // `scene` has `size` bytes, `steps` and `poses` as many elements as their counts say.

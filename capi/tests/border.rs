@@ -58,7 +58,7 @@ fn view(width: u16, height: u16) -> View {
     View {
         eye: [n(100), n(200), n(500)],
         up: [n(0), n(100), n(0)],
-        extent: n(250),
+        extent: n(100),
         to_light: [n(25), n(85), n(45)],
         ambient: n(25),
         width,
