@@ -15,6 +15,24 @@ use scancsg::span::{Face, SpanStack};
 type View<R> = <Program as Scan<R>>::View;
 type Row<R> = <Program as Scan<R>>::Row;
 
+/// Memory that is set element by element. Set as a whole, it would be a constant in flash, as long as itself.
+pub(crate) trait Fill {
+    /// Nothing is decided.
+    ///
+    /// # Safety
+    /// The place is aligned and large enough, and nobody else's.
+    unsafe fn fill(place: *mut Self);
+}
+
+impl<T: Empty, const N: usize> Fill for [T; N] {
+    unsafe fn fill(place: *mut Self) {
+        for index in 0..N {
+            // SAFETY: an array has so many elements, and the caller says the rest.
+            unsafe { place.cast::<T>().add(index).write(T::EMPTY) };
+        }
+    }
+}
+
 /// A program, with the memory that it has not lent to a picture yet.
 pub(crate) struct Lent<R: 'static>
 where

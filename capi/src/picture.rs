@@ -1,7 +1,7 @@
 //! Pictures: what a camera sees of a scene, row by row.
 
 use crate::border::{self, Kept, Plain};
-use crate::lent::Lent;
+use crate::lent::{Fill, Lent};
 use crate::number::{Number, Scalar, scalar, vector};
 use crate::part::Program;
 use crate::pixels::{Format, Lit};
@@ -178,7 +178,7 @@ unsafe fn make<C: Camera>(
 ) -> Result<(), Status>
 where
     C::Rays: Rays<Scalar = Scalar> + 'static,
-    Program: Scan<C::Rays>,
+    Program: Scan<C::Rays, View: Fill>,
     KeptPicture<C::Rays>: Kept<Storage = Picture>,
 {
     let place = border::place::<KeptPicture<C::Rays>>(picture, size)?;
@@ -203,7 +203,7 @@ where
     // used. Each field is written, and then nobody but the reference made here has it.
     unsafe {
         let (view, row) = (&raw mut (*place).view, &raw mut (*place).row);
-        view.write(Empty::EMPTY);
+        Fill::fill(view);
         row.write(Empty::EMPTY);
         let solid = &raw mut (*place).solid;
         let (view, row) = (Cell::new(Some(&mut *view)), Cell::new(Some(&mut *row)));
