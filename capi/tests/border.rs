@@ -93,7 +93,7 @@ fn every_status_has_a_text_of_its_own() {
 /// A frame of packets, as a receiver of the library takes it.
 #[test]
 fn the_receiver_gets_the_frame() {
-    use scancsg::stream::{Decoder, FrameHash, Packet};
+    use scancsg::stream::{Event, Memory, Receiver, Timing};
     let mut scene = empty::<Scene>();
     assert_eq!(build(&mut scene, &[ball()], &[]).0, Status::Ok);
     let (mut picture, status) = picture(&scene, &view(29, 17), true);
@@ -108,7 +108,7 @@ fn the_receiver_gets_the_frame() {
         let (mut packet, mut length, mut hash) = ([0; 400], 0, 0);
         let capacity = scancsg_packet_capacity(29, format);
         assert!((1..=packet.len()).contains(&capacity));
-        let mut line = Vec::new();
+        let (mut line, mut pixels) = (Vec::new(), Vec::new());
         // SAFETY: all of it is here.
         unsafe {
             let (p, l) = (packet.as_mut_ptr(), &raw mut length);
@@ -121,8 +121,9 @@ fn the_receiver_gets_the_frame() {
                     scancsg_picture_row(&raw mut *picture, y, format, row.as_mut_ptr(), width);
                 assert_eq!(status, Status::Ok);
                 let (p, l, h) = (packet.as_mut_ptr(), &raw mut length, &raw mut hash);
-                let pixels = row.as_ptr();
-                let status = scancsg_packet_row(7, y, format, pixels, width, h, p, capacity, l);
+                pixels.extend_from_slice(&row);
+                let row = row.as_ptr();
+                let status = scancsg_packet_row(7, y, format, row, width, h, p, capacity, l);
                 assert_eq!(status, Status::Ok);
                 line.extend_from_slice(&packet[..length]);
             }
@@ -130,24 +131,20 @@ fn the_receiver_gets_the_frame() {
             assert_eq!(scancsg_packet_end(7, hash, p, capacity, l), Status::Ok);
             line.extend_from_slice(&packet[..length]);
         }
-        let (mut decoder, mut rows, mut ends) = (Decoder::<512>::new(), Vec::new(), Vec::new());
-        let mut headers = 0;
-        for byte in line {
-            match decoder.push(byte) {
-                None => {}
-                Some(Ok(Packet::Header(header))) => {
-                    assert_eq!((header.frame, header.width, header.height), (7, 29, 17));
-                    assert_eq!(header.format.code(), code);
-                    headers += 1;
-                }
-                Some(Ok(Packet::Row { frame: 7, y, .. })) => rows.push(y),
-                Some(Ok(Packet::End { frame: 7, hash })) => ends.push(hash),
-                other => panic!("{other:?}"),
-            }
+        let (mut held, mut rows) = (vec![0; width * 17], [false; 17]);
+        let memory = Memory { pixels: &mut held, rows: &mut rows, above: &mut [] };
+        let mut receiver = Receiver::<512>::new(memory, Timing { ask: 400, give_up: 10_000 });
+        let mut bytes = line.as_slice();
+        let last = std::iter::from_fn(|| receiver.receive(&mut bytes, 0)).last();
+        // The hash of all rows is the one that came, too.
+        assert_eq!(last, Some(Event::Complete));
+        let header = receiver.frame().header().unwrap();
+        assert_eq!((header.frame, header.format.code()), (7, code));
+        if format == Format::Rgb565Be as u8 {
+            pixels.as_chunks_mut::<2>().0.iter_mut().for_each(|pixel| pixel.swap(0, 1));
         }
-        assert_eq!(headers, 1);
-        assert_eq!(rows, (0..17).collect::<Vec<u16>>());
-        assert_eq!(ends, [FrameHash::from_value(hash)]);
+        assert_eq!(receiver.frame().pixels(), pixels);
+        assert_eq!((receiver.traffic().packets, receiver.traffic().bad_packets), (19, 0));
     }
 }
 
