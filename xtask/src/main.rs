@@ -3,6 +3,7 @@
 mod board;
 mod boards;
 mod boot;
+mod c;
 mod ci;
 mod command;
 mod counts;
@@ -59,6 +60,9 @@ enum Chore {
     /// Install the Python package into `target/python`, and test it
     Python,
 
+    /// Build the library for Arduino, `target/arduino/Scancsg`
+    Arduino,
+
     /// Check everything that must hold before a change lands, or one step of it
     Ci(ci::Ci),
 
@@ -101,6 +105,7 @@ fn main() -> ExitCode {
         Chore::Profile(chosen) => profile::show(&chosen),
         Chore::Web(chosen) => web::run(&chosen),
         Chore::Python => python::check(),
+        Chore::Arduino => c::arduino(),
         Chore::Ci(chosen) => ci::run(&chosen),
         Chore::Boot { board, elf, png } => boot::show(board, &elf, &png),
     };
