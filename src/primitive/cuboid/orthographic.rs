@@ -105,11 +105,8 @@ impl<S: Scalar> Cuboid<S> {
     ) -> Option<Span<S>> {
         let mut common = Span::whole_line(Face(0));
         for (index, axis) in Axis::ALL.into_iter().enumerate() {
-            let between = match &pairs[index] {
-                PairRow::Nowhere => None,
-                PairRow::Across(ends) => ends.span(&view.pairs[index], x),
-                PairRow::EdgeOn(row) => self.corners.planes(axis).edge_on_span(row, x),
-            };
+            let (view, row) = (&view.pairs[index], &pairs[index]);
+            let between = self.corners.planes(axis).orthographic_span(view, row, x);
             common = common.overlap(between?.with_faces_from(Corners::<S>::first_face(axis)))?;
         }
         Some(common)

@@ -1,24 +1,32 @@
-//! What both cameras have in common: the ray of any pixel, in the cone's own frame.
+//! The wall of a cone in pictures: the ray of any pixel, in the cone's own frame.
 
-use super::{Cone, frame};
-use crate::geom::{OrthographicRays, Vec3};
-use crate::quadric::{Conic, meet};
+mod orthographic;
+mod perspective;
+
+pub use orthographic::OrthographicView;
+pub use perspective::{PerspectiveRow, PerspectiveView};
+
+use crate::geom::{OrthographicRays, Vec3, frame};
+use crate::quadric::{Conic, Planes, Taper, meet};
 use crate::scalar::{Real, Scalar};
 
-/// A cone in a picture: the coordinates of [`Conic`], which are affine in the pixel. The first one is
-/// across the axis along the middle ray, the second one at right angles to both.
+/// The coordinates of [`Conic`], which are affine in the pixel. The first one is across the axis along the
+/// middle ray, the second one at right angles to both.
 #[derive(Debug, Clone, Copy)]
-pub struct PixelView<S: Scalar> {
+struct Pencil<S: Scalar> {
     /// In the middle of the picture, and the steps to the right and down.
-    pub(super) from: [[S::Wide; 3]; 3],
+    from: [[S::Wide; 3]; 3],
     /// In the middle of the picture.
-    pub(super) step: [S::Wide; 3],
+    step: [S::Wide; 3],
 }
 
-impl<S: Scalar> PixelView<S> {
-    /// The view, and the direction of its second coordinate.
-    pub(super) fn new(cone: &Cone<S>, plane: &OrthographicRays<S>) -> (Self, Vec3<S::Wide>) {
-        let Cone { taper, caps } = cone;
+impl<S: Scalar> Pencil<S> {
+    /// Rays that reach a wall, and the direction of their second coordinate.
+    fn new(
+        taper: &Taper<S>,
+        caps: &Planes<S>,
+        plane: &OrthographicRays<S>,
+    ) -> (Self, Vec3<S::Wide>) {
         let (axis, base) = (&caps.normal, taper.base.wide());
         let [cosine, sine] = taper.slant.map(S::wide_unit);
         let m = plane.forward.cross(axis.wide());
@@ -34,9 +42,14 @@ impl<S: Scalar> PixelView<S> {
         (Self { from: [[x, y, radius], right, down], step: lengths(plane.forward) }, side)
     }
 
-    /// Where a pixel's ray is inside the nappe between the caps, by its values in the row's middle.
+    /// The coordinates in the middle of a row.
+    fn row(&self, y: i32) -> [S::Wide; 3] {
+        after(&self.from[0], &self.from[2], y)
+    }
+
+    /// Where a pixel's ray is inside the nappe between the caps, by its coordinates in the row's middle.
     #[inline(always)]
-    pub(super) fn chord(&self, from: &[S::Wide; 3], step: [S::Wide; 3], x: i32) -> Option<[S; 2]> {
+    fn chord(&self, from: &[S::Wide; 3], step: [S::Wide; 3], x: i32) -> Option<[S; 2]> {
         let from = after(from, &self.from[1], x).map(S::from_wide);
         meet::conic(&Conic { from, step: step.map(S::unit) })
     }
@@ -44,6 +57,6 @@ impl<S: Scalar> PixelView<S> {
 
 /// So many steps farther.
 #[inline(always)]
-pub(super) fn after<T: Real>([a, b, c]: &[T; 3], [u, v, w]: &[T; 3], count: i32) -> [T; 3] {
+fn after<T: Real>([a, b, c]: &[T; 3], [u, v, w]: &[T; 3], count: i32) -> [T; 3] {
     [a.after_steps(*u, count), b.after_steps(*v, count), c.after_steps(*w, count)]
 }
