@@ -43,20 +43,6 @@ pub(super) fn is_rounded<T: Real>(product: T, exact: T) -> bool {
     (product - exact).abs() * T::from_int(1 << 20) <= T::ONE
 }
 
-/// Two unit vectors that make a right-handed frame with `n`, a vector of length 1.
-///
-/// Duff et al., *Building an orthonormal basis, revisited*, Journal of Computer Graphics
-/// Techniques 6 (2017), listing 3. Exact for coordinate axes.
-pub(crate) fn frame<T: Real>(n: Vec3<T>) -> [Vec3<T>; 2] {
-    let sign = if n.z < T::ZERO { -T::ONE } else { T::ONE };
-    let a = -(T::ONE / (sign + n.z));
-    let b = n.x * n.y * a;
-    [
-        Vec3::new(T::ONE + sign * n.x * n.x * a, sign * b, -sign * n.x),
-        Vec3::new(b, sign + n.y * n.y * a, -n.y),
-    ]
-}
-
 impl<S: Scalar> Direction<S> {
     pub(crate) const X: Self = Self {
         vector: Vec3::new(S::Unit::ONE, S::Unit::ZERO, S::Unit::ZERO),

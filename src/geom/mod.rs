@@ -11,7 +11,7 @@ mod rays;
 mod vec3;
 
 pub(crate) use columns::signed;
-pub(crate) use direction::{Direction, frame};
+pub(crate) use direction::Direction;
 
 pub(crate) use affine::{Parameters, RaysBack};
 

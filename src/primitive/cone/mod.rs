@@ -3,7 +3,7 @@
 mod orthographic;
 mod perspective;
 
-use super::cylinder::{Cylinder, CylinderError, set_common};
+use super::cylinder::{Cylinder, CylinderError, frame, set_common};
 use crate::geom::{Axis, AxisLine, Line, Vec3};
 use crate::quadric::{Planes, Taper, WALL, Wall, meet};
 use crate::query::Solid;

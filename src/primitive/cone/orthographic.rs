@@ -1,6 +1,6 @@
 //! The cone along parallel rays.
 
-use super::{Cone, cut, set_common};
+use super::{Cone, cut, frame, set_common};
 use crate::geom::{Extent, OrthographicRays};
 use crate::scalar::{Number, Scalar};
 use crate::scan::bounds::{Rows, Strip};
@@ -16,7 +16,7 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cone<S> {
 
     fn view(&self, rays: &OrthographicRays<S>) -> Self::View {
         let Self { taper, caps } = self;
-        let (wall, side) = WallView::new(taper, caps, rays);
+        let (wall, side) = WallView::new(taper, caps, rays, frame(caps.normal.wide())[0]);
         Some(OrthographicView {
             wall,
             along: taper.strip(caps, rays, side.cross(rays.forward)),

@@ -1,6 +1,6 @@
 //! The cone, seen from an eye.
 
-use super::{Cone, cut};
+use super::{Cone, cut, frame};
 use crate::geom::{Extent, PerspectiveRays};
 use crate::scalar::Scalar;
 use crate::scan::bounds::{PerspectiveBall, Silhouette};
@@ -15,8 +15,9 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cone<S> {
     fn view(&self, rays: &PerspectiveRays<S>) -> Self::View {
         let Self { taper, caps } = self;
         let (center, radius) = taper.bounding_ball(caps);
+        let [beside, _] = frame(caps.normal.wide());
         Some(PerspectiveView {
-            wall: taper::PerspectiveView::new(taper, caps, rays),
+            wall: taper::PerspectiveView::new(taper, caps, rays, beside),
             caps: planes::PerspectiveView::new(&caps.normal, rays),
             ball: PerspectiveBall::new(center, radius, rays),
         })

@@ -79,10 +79,11 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {
                 let enter = later(later((of_x[0], x), (of_y[0], y)), (of_z[0], z));
                 let [x, y, z] = view.near.map(|face| Face(face.0 ^ 1));
                 let exit = earlier(earlier((of_x[1], x), (of_y[1], y)), (of_z[1], z));
-                if enter.0 < exit.0 {
-                    span.enter = Crossing { t: enter.0, face: enter.1 };
-                    span.exit = Crossing { t: exit.0, face: exit.1 };
-                } else {
+                let is_met = enter.0 < exit.0;
+                // Set before it is known: so the comparisons that find parameters find faces, too.
+                span.enter = Crossing { t: enter.0, face: enter.1 };
+                span.exit = Crossing { t: exit.0, face: exit.1 };
+                if !is_met {
                     *span = Span::NOWHERE;
                 }
             }

@@ -8,7 +8,7 @@ mod tests;
 
 pub use open::{CylinderWall, WallHit};
 
-use crate::geom::{Axis, AxisLine, Direction, Line, Vec3, frame};
+use crate::geom::{Axis, AxisLine, Direction, Line, Vec3};
 use crate::quadric::{Planes, WALL, Wall, meet};
 use crate::query::Solid;
 use crate::scalar::{ConstOps, Real, Scalar, Stretch, per_scalar};
@@ -323,4 +323,18 @@ impl<S: Scalar> Cylinder<S> {
         let square = radius * radius + half_length * half_length;
         (base + axis.wide() * middle, square.sqrt())
     }
+}
+
+/// Two unit vectors that make a right-handed frame with `n`, a vector of length 1.
+///
+/// Duff et al., *Building an orthonormal basis, revisited*, Journal of Computer Graphics
+/// Techniques 6 (2017), listing 3. Exact for coordinate axes.
+pub(super) fn frame<T: Real>(n: Vec3<T>) -> [Vec3<T>; 2] {
+    let sign = if n.z < T::ZERO { -T::ONE } else { T::ONE };
+    let a = -(T::ONE / (sign + n.z));
+    let b = n.x * n.y * a;
+    [
+        Vec3::new(T::ONE + sign * n.x * n.x * a, sign * b, -sign * n.x),
+        Vec3::new(b, sign + n.y * n.y * a, -n.y),
+    ]
 }

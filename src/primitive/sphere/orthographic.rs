@@ -4,7 +4,7 @@ use super::{Sphere, span};
 use crate::geom::{Affine, Extent, OrthographicRays};
 use crate::scalar::{Real, Scalar};
 use crate::scan::Leaf;
-use crate::scan::bounds::Steps;
+use crate::scan::bounds::{Rows, Steps};
 use crate::span::Span;
 
 /// In the image plane the ball is a disc, and a row cuts a chord out of it.
@@ -15,12 +15,20 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Sphere<S> {
 
     fn view(&self, rays: &OrthographicRays<S>) -> Self::View {
         let from_center = rays.center - self.ball.center.wide();
+        let across = from_center.dot_compensated(rays.down);
+        let down = Affine { middle: across, step: rays.half_pixel };
         Some(OrthographicView {
             along: from_center.dot_compensated(rays.right),
-            across: from_center.dot_compensated(rays.down),
+            across,
             half_pixel: rays.half_pixel,
             middle: S::from_wide(-from_center.dot_compensated(rays.forward)),
+            rows: Rows::of(Steps::within::<S>(down, (self.ball.radius.plus(S::ROUNDING)).wide())),
         })
+    }
+
+    #[inline]
+    fn is_in_rows(&self, view: &Self::View, rows: [i32; 2]) -> bool {
+        view.as_ref().is_some_and(|view| view.rows.meet(rows))
     }
 
     fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
@@ -56,6 +64,7 @@ pub struct OrthographicView<S: Scalar> {
     half_pixel: S::Wide,
     /// The parameter in the middle of chords.
     middle: S,
+    rows: Rows,
 }
 
 /// A row of a sphere, seen along parallel rays.

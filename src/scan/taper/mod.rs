@@ -6,7 +6,7 @@ mod perspective;
 pub use orthographic::OrthographicView;
 pub use perspective::{PerspectiveRow, PerspectiveView};
 
-use crate::geom::{OrthographicRays, Vec3, frame};
+use crate::geom::{OrthographicRays, Vec3};
 use crate::quadric::{Conic, Planes, Taper, meet};
 use crate::scalar::{Real, Scalar};
 
@@ -21,17 +21,19 @@ struct Pencil<S: Scalar> {
 }
 
 impl<S: Scalar> Pencil<S> {
-    /// Rays that reach a wall, and the direction of their second coordinate.
+    /// Rays that reach a wall, and the direction of their second coordinate: `beside`, a unit vector across the
+    /// axis, where they run along it.
     fn new(
         taper: &Taper<S>,
         caps: &Planes<S>,
         plane: &OrthographicRays<S>,
+        beside: Vec3<S::Wide>,
     ) -> (Self, Vec3<S::Wide>) {
         let (axis, base) = (&caps.normal, taper.base.wide());
         let [cosine, sine] = taper.slant.map(S::wide_unit);
         let m = plane.forward.cross(axis.wide());
         let across = m.max_abs().is_divisor().then(|| m.normalized()).flatten();
-        let side = across.unwrap_or_else(|| frame(axis.wide())[0]);
+        let side = across.unwrap_or(beside);
         let lengths = |v: Vec3<S::Wide>| {
             let place = v.cross(axis.wide()).dot_compensated(side);
             [place * cosine, v.dot_compensated(side) * cosine, axis.dot_wide(v) * sine]

@@ -38,13 +38,15 @@ pub struct OrthographicView<S: Scalar> {
 }
 
 impl<S: Scalar> OrthographicView<S> {
-    /// What a camera decides, and a direction across the axis and its rays.
+    /// What a camera decides, and a direction across the axis and its rays: `beside`, a unit vector across the
+    /// axis, where they run along it.
     pub(crate) fn new(
         taper: &Taper<S>,
         caps: &Planes<S>,
         rays: &OrthographicRays<S>,
+        beside: Vec3<S::Wide>,
     ) -> (Self, Vec3<S::Wide>) {
-        let (mut wall, side) = Pencil::new(taper, caps, rays);
+        let (mut wall, side) = Pencil::new(taper, caps, rays, beside);
         let [way, _, growth] = wall.step;
         let crossed = S::Wide::product_difference;
         let a = crossed(way, way, growth, growth);

@@ -1,7 +1,7 @@
 //! The wall of a cone, seen from an eye: also a ray's steps are affine in the pixel.
 
 use super::{Pencil, after};
-use crate::geom::PerspectiveRays;
+use crate::geom::{PerspectiveRays, Vec3};
 use crate::quadric::{Planes, Taper};
 use crate::scalar::Scalar;
 
@@ -21,8 +21,14 @@ pub struct PerspectiveRow<S: Scalar> {
 }
 
 impl<S: Scalar> PerspectiveView<S> {
-    pub(crate) fn new(taper: &Taper<S>, caps: &Planes<S>, rays: &PerspectiveRays<S>) -> Self {
-        let (wall, _) = Pencil::new(taper, caps, &rays.plane);
+    /// What a camera decides; `beside` is a unit vector across the axis.
+    pub(crate) fn new(
+        taper: &Taper<S>,
+        caps: &Planes<S>,
+        rays: &PerspectiveRays<S>,
+        beside: Vec3<S::Wide>,
+    ) -> Self {
+        let (wall, _) = Pencil::new(taper, caps, &rays.plane, beside);
         let [_, right, down] = wall.from;
         let turn = [right, down].map(|way| way.map(|part| part * rays.inverse_distance));
         Self { wall, turn }
