@@ -4,7 +4,7 @@ use super::{Sphere, span};
 use crate::geom::{Affine, Extent, OrthographicRays};
 use crate::scalar::{Real, Scalar};
 use crate::scan::Leaf;
-use crate::scan::bounds::{Rows, Steps};
+use crate::scan::bounds::Steps;
 use crate::span::Span;
 
 /// In the image plane the ball is a disc, and a row cuts a chord out of it.
@@ -15,27 +15,27 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Sphere<S> {
 
     fn view(&self, rays: &OrthographicRays<S>) -> Self::View {
         let from_center = rays.center - self.ball.center.wide();
-        let across = from_center.dot_compensated(rays.down);
-        let down = Affine { middle: across, step: rays.half_pixel };
         Some(OrthographicView {
             along: from_center.dot_compensated(rays.right),
-            across,
+            across: from_center.dot_compensated(rays.down),
             half_pixel: rays.half_pixel,
             middle: S::from_wide(-from_center.dot_compensated(rays.forward)),
-            rows: Rows::of(Steps::within::<S>(down, (self.ball.radius.plus(S::ROUNDING)).wide())),
         })
     }
 
+    /// By the same numbers as [`row`](Leaf::row), so it is exact.
     #[inline]
-    fn is_in_rows(&self, view: &Self::View, rows: [i32; 2]) -> bool {
-        view.as_ref().is_some_and(|view| view.rows.meet(rows))
+    fn is_in_rows(&self, view: &Self::View, [first, last]: [i32; 2]) -> bool {
+        view.as_ref().is_some_and(|view| {
+            let radius = self.ball.radius;
+            view.across(first) <= radius && radius.negated() <= view.across(last)
+        })
     }
 
     fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
         *row = None;
         let Some(view) = view else { return Extent::EMPTY };
-        let across = S::from_wide(view.across.after_steps(view.half_pixel, y));
-        let Some(radius) = S::leg(self.ball.radius, across) else { return Extent::EMPTY };
+        let Some(radius) = S::leg(self.ball.radius, view.across(y)) else { return Extent::EMPTY };
         *row = Some(OrthographicRow { radius });
         let along = Affine { middle: view.along, step: view.half_pixel };
         Steps::within::<S>(along, radius.wide()).columns(columns)
@@ -64,7 +64,14 @@ pub struct OrthographicView<S: Scalar> {
     half_pixel: S::Wide,
     /// The parameter in the middle of chords.
     middle: S,
-    rows: Rows,
+}
+
+impl<S: Scalar> OrthographicView<S> {
+    /// How far below the sphere's centre a row is.
+    #[inline]
+    fn across(&self, y: i32) -> S {
+        S::from_wide(self.across.after_steps(self.half_pixel, y))
+    }
 }
 
 /// A row of a sphere, seen along parallel rays.

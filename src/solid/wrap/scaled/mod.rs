@@ -43,6 +43,15 @@ use crate::span::{Face, Shape, SpanStack};
 /// # let _ = EGG;
 /// ```
 ///
+/// A map that flattens does not compile there:
+///
+/// ```compile_fail,E0080
+/// use scancsg::{constant, geom::AffineMap};
+///
+/// const FLAT: AffineMap<f32> = constant!(AffineMap::<f32>::scale([3.0, 0.0, 2.0]));
+/// # let _ = FLAT;
+/// ```
+///
 /// Seen along parallel rays it costs about as much as the solid inside. From an eye, each pixel has a camera of
 /// its own: an ellipsoid takes 6 times as much there as along parallel rays, an elliptic cylinder 11 times.
 ///
