@@ -223,6 +223,11 @@ impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize>
         self.tree.open()
     }
 
+    /// Nothing is left, not even a part: until one is pushed.
+    pub(super) fn clear(&mut self) {
+        (self.tree, self.pose_count) = (Tree::NOTHING, 0);
+    }
+
     const fn check(&self, part: usize) -> Result<(), ProgramError> {
         if part < self.tree.leaves() { Ok(()) } else { Err(ProgramError::NoPart) }
     }

@@ -142,8 +142,13 @@ macro_rules! leaves {
                     kind: u8,
                     from: &mut $crate::program::Reader<'_>,
                 ) -> Result<Self, $crate::program::BytesError> {
+                    // Several may have the kind of scaled solids: they differ inside.
+                    let start = *from;
                     $(if <$Solid as $crate::program::Coded>::has_kind(kind) {
-                        return $crate::program::Coded::read(kind, from).map(Self::$Kind);
+                        match $crate::program::Coded::read(kind, from) {
+                            Err($crate::program::BytesError::Kind) => *from = start,
+                            solid => return solid.map(Self::$Kind),
+                        }
                     })+
                     Err($crate::program::BytesError::Kind)
                 }
