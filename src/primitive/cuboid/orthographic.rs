@@ -7,9 +7,9 @@ use super::Cuboid;
 use crate::geom::{Axis, Extent, OrthographicRays};
 use crate::quadric::Corners;
 use crate::query::Solid;
-use crate::scalar::Scalar;
-use crate::scan::bounds::{Outline, Rectangle, Silhouette, Steps};
-use crate::scan::planes::{Ends, OrthographicRow as PairRow, OrthographicView as PairView};
+use crate::scalar::{Number, Scalar};
+use crate::scan::bounds::{Outline, Rows, Steps};
+use crate::scan::planes::{EdgeOn, Ends, OrthographicRow as PairRow, OrthographicView as PairView};
 use crate::scan::{Empty, Leaf};
 use crate::span::{Crossing, Face, Span};
 
@@ -19,18 +19,18 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {
     type Spans = [Span<S>; 1];
 
     fn view(&self, rays: &OrthographicRays<S>) -> Self::View {
-        let outline = rays.outline(&self.bounds());
+        let rows = rays.outline(&self.bounds()).map_or(Rows::ALL, |outline| outline.rows);
         let pairs = Axis::ALL.map(|axis| self.corners.planes(axis).orthographic_view(rays));
         let near = Axis::ALL.map(|axis| {
             let is_high = pairs[axis as usize].high_first();
-            Corners::<S>::first_face(axis).offset(u16::from(is_high))
+            Corners::<S>::first_face(axis).0 as u8 + u8::from(is_high)
         });
-        OrthographicView { pairs, near, outline }
+        OrthographicView { pairs, near, rows }
     }
 
     #[inline]
     fn is_in_rows(&self, view: &Self::View, rows: [i32; 2]) -> bool {
-        view.outline.is_in_rows(rows)
+        view.rows.meet(rows)
     }
 
     #[inline(never)]
@@ -61,9 +61,16 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {
             [PairRow::Across(x), PairRow::Across(y), PairRow::Across(z)] => {
                 OrthographicRow::Across([x, y, z])
             }
-            pairs => OrthographicRow::EdgeOn(pairs),
+            pairs => OrthographicRow::EdgeOn {
+                is_along: pairs.each_ref().map(|row| matches!(row, PairRow::EdgeOn(_))),
+                ends: pairs.map(|row| match row {
+                    PairRow::Across(ends) => ends,
+                    PairRow::EdgeOn(EdgeOn { height, .. }) => Ends { near: height, far: height },
+                    PairRow::Nowhere => Ends { near: S::Wide::ZERO, far: S::Wide::ZERO },
+                }),
+            },
         };
-        steps.columns(columns).overlap(view.outline.extent(y, columns))
+        steps.columns(columns)
     }
 
     #[inline(always)]
@@ -75,9 +82,10 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {
                 let [of_x, of_y, of_z] = [first.at(one, x), second.at(two, x), third.at(three, x)];
                 let later = |a: (S, Face), b: (S, Face)| if b.0 > a.0 { b } else { a };
                 let earlier = |a: (S, Face), b: (S, Face)| if b.0 < a.0 { b } else { a };
-                let [x, y, z] = view.near;
+                let near = view.near.map(|face| Face(face.into()));
+                let [x, y, z] = near;
                 let enter = later(later((of_x[0], x), (of_y[0], y)), (of_z[0], z));
-                let [x, y, z] = view.near.map(|face| Face(face.0 ^ 1));
+                let [x, y, z] = near.map(|face| Face(face.0 ^ 1));
                 let exit = earlier(earlier((of_x[1], x), (of_y[1], y)), (of_z[1], z));
                 if enter.0 < exit.0 {
                     span.enter = Crossing { t: enter.0, face: enter.1 };
@@ -86,8 +94,8 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {
                     *span = Span::NOWHERE;
                 }
             }
-            OrthographicRow::EdgeOn(pairs) => {
-                *span = self.edge_on_span(view, pairs, x).unwrap_or(Span::NOWHERE);
+            OrthographicRow::EdgeOn { ends, is_along } => {
+                *span = self.edge_on_span(view, ends, *is_along, x).unwrap_or(Span::NOWHERE);
             }
             OrthographicRow::Nowhere => *span = Span::NOWHERE,
         }
@@ -100,9 +108,14 @@ impl<S: Scalar> Cuboid<S> {
     fn edge_on_span(
         &self,
         view: &OrthographicView<S>,
-        pairs: &[PairRow<S>; 3],
+        ends: &[Ends<S>; 3],
+        is_along: [bool; 3],
         x: i32,
     ) -> Option<Span<S>> {
+        let pairs = [0, 1, 2].map(|index| match is_along[index] {
+            true => PairRow::EdgeOn(view.pairs[index].edge_on(ends[index].near)),
+            false => PairRow::Across(ends[index]),
+        });
         let mut common = Span::whole_line(Face(0));
         for (index, axis) in Axis::ALL.into_iter().enumerate() {
             let between = match &pairs[index] {
@@ -121,12 +134,12 @@ impl<S: Scalar> Cuboid<S> {
 pub struct OrthographicView<S: Scalar> {
     /// The faces across each axis, and which of them comes first.
     pairs: [PairView<S>; 3],
-    near: [Face; 3],
-    outline: Option<Rectangle>,
+    near: [u8; 3],
+    rows: Rows,
 }
 
 impl<S: Scalar> Empty for OrthographicView<S> {
-    const EMPTY: Self = Self { pairs: [PairView::EMPTY; 3], near: [Face(0); 3], outline: None };
+    const EMPTY: Self = Self { pairs: [PairView::EMPTY; 3], near: [0; 3], rows: Rows::EMPTY };
 }
 
 /// A row of a box, seen along parallel rays.
@@ -137,7 +150,12 @@ pub enum OrthographicRow<S: Scalar> {
     /// The rays cross all faces.
     Across([Ends<S>; 3]),
     /// The rays run along some of the faces, or almost.
-    EdgeOn([PairRow<S>; 3]),
+    EdgeOn {
+        /// Where the faces are crossed, or how high the rays are above them, twice.
+        ends: [Ends<S>; 3],
+        /// Whether they run along these.
+        is_along: [bool; 3],
+    },
 }
 
 impl<S: Scalar> Empty for OrthographicRow<S> {
