@@ -8,7 +8,7 @@
 ///
 /// Each part takes as much memory as the largest of these solids, and so do its view and its row. So a
 /// [`Polyhedron`](crate::solid::Polyhedron) is named with the number of faces that most need: those with more are an intersection of
-/// several. Faces in one pool would save little, because a view and a row have a place for each face, too.
+/// several.
 ///
 /// Where all of the solids have a form as bytes ([`Coded`](crate::program::Coded)), the enum has one, too.
 ///
