@@ -23,7 +23,7 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {
         let pairs = Axis::ALL.map(|axis| self.corners.planes(axis).orthographic_view(rays));
         let near = Axis::ALL.map(|axis| {
             let is_high = pairs[axis as usize].high_first();
-            Corners::<S>::first_face(axis).0 as u8 + u8::from(is_high)
+            Corners::<S>::first_face(axis).offset(u16::from(is_high))
         });
         OrthographicView { pairs, near, rows }
     }
@@ -62,7 +62,9 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {
                 OrthographicRow::Across([x, y, z])
             }
             pairs => OrthographicRow::EdgeOn {
-                is_along: pairs.each_ref().map(|row| matches!(row, PairRow::EdgeOn(_))),
+                along: pairs.iter().zip(0..).fold(0, |along, (row, index)| {
+                    along | u32::from(matches!(row, PairRow::EdgeOn(_))) << index
+                }),
                 ends: pairs.map(|row| match row {
                     PairRow::Across(ends) => ends,
                     PairRow::EdgeOn(EdgeOn { height, .. }) => Ends { near: height, far: height },
@@ -82,10 +84,9 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {
                 let [of_x, of_y, of_z] = [first.at(one, x), second.at(two, x), third.at(three, x)];
                 let later = |a: (S, Face), b: (S, Face)| if b.0 > a.0 { b } else { a };
                 let earlier = |a: (S, Face), b: (S, Face)| if b.0 < a.0 { b } else { a };
-                let near = view.near.map(|face| Face(face.into()));
-                let [x, y, z] = near;
+                let [x, y, z] = view.near;
                 let enter = later(later((of_x[0], x), (of_y[0], y)), (of_z[0], z));
-                let [x, y, z] = near.map(|face| Face(face.0 ^ 1));
+                let [x, y, z] = view.near.map(|face| Face(face.0 ^ 1));
                 let exit = earlier(earlier((of_x[1], x), (of_y[1], y)), (of_z[1], z));
                 if enter.0 < exit.0 {
                     span.enter = Crossing { t: enter.0, face: enter.1 };
@@ -94,8 +95,8 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {
                     *span = Span::NOWHERE;
                 }
             }
-            OrthographicRow::EdgeOn { ends, is_along } => {
-                *span = self.edge_on_span(view, ends, *is_along, x).unwrap_or(Span::NOWHERE);
+            OrthographicRow::EdgeOn { ends, along } => {
+                *span = self.edge_on_span(view, ends, *along, x).unwrap_or(Span::NOWHERE);
             }
             OrthographicRow::Nowhere => *span = Span::NOWHERE,
         }
@@ -109,12 +110,12 @@ impl<S: Scalar> Cuboid<S> {
         &self,
         view: &OrthographicView<S>,
         ends: &[Ends<S>; 3],
-        is_along: [bool; 3],
+        along: u32,
         x: i32,
     ) -> Option<Span<S>> {
-        let pairs = [0, 1, 2].map(|index| match is_along[index] {
-            true => PairRow::EdgeOn(view.pairs[index].edge_on(ends[index].near)),
-            false => PairRow::Across(ends[index]),
+        let pairs = [0, 1, 2].map(|index| match along >> index & 1 {
+            1 => PairRow::EdgeOn(view.pairs[index].edge_on(ends[index].near)),
+            _ => PairRow::Across(ends[index]),
         });
         let mut common = Span::whole_line(Face(0));
         for (index, axis) in Axis::ALL.into_iter().enumerate() {
@@ -134,12 +135,12 @@ impl<S: Scalar> Cuboid<S> {
 pub struct OrthographicView<S: Scalar> {
     /// The faces across each axis, and which of them comes first.
     pairs: [PairView<S>; 3],
-    near: [u8; 3],
+    near: [Face; 3],
     rows: Rows,
 }
 
 impl<S: Scalar> Empty for OrthographicView<S> {
-    const EMPTY: Self = Self { pairs: [PairView::EMPTY; 3], near: [0; 3], rows: Rows::EMPTY };
+    const EMPTY: Self = Self { pairs: [PairView::EMPTY; 3], near: [Face(0); 3], rows: Rows::EMPTY };
 }
 
 /// A row of a box, seen along parallel rays.
@@ -153,8 +154,9 @@ pub enum OrthographicRow<S: Scalar> {
     EdgeOn {
         /// Where the faces are crossed, or how high the rays are above them, twice.
         ends: [Ends<S>; 3],
-        /// Whether they run along these.
-        is_along: [bool; 3],
+        /// Bit i is set where the rays run along pair i. A whole word: so is what tells these rows apart, which
+        /// enums of solids read for each pixel.
+        along: u32,
     },
 }
 

@@ -23,7 +23,7 @@ pub trait Coded: Shape + Sized {
     /// [`BytesError::Length`]; [`BytesError::Solid`] for numbers that the format has no room for.
     fn write(&self, to: &mut Writer<'_>) -> Result<(), BytesError>;
 
-    /// Reads one of a kind.
+    /// Reads one of a kind. For [`BytesError::Kind`], an enum asks the next of its solids that have the kind.
     ///
     /// # Errors
     /// [`BytesError::Kind`] for a kind that it doesn't [have](Self::has_kind), [`BytesError::Solid`],
