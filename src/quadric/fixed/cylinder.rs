@@ -1,5 +1,6 @@
 //! Where a line is inside a cylinder's wall, between its caps.
 
+use super::aligned::aligned_cylinder;
 use super::lines::{bits, cross, dot, is_in_range, square, unit_bits, way, wide_dot};
 use super::planes::{Crossings, next};
 use super::quadratic::{Integer, Quadratic, Root};
@@ -73,7 +74,7 @@ impl Section {
 }
 
 /// Where the line is inside the wall, each parameter rounded.
-fn roots<S: FixedPoint, W: Integer>(quadratic: &Quadratic<W>) -> Roots<S> {
+pub(super) fn roots<S: FixedPoint, W: Integer>(quadratic: &Quadratic<W>) -> Roots<S> {
     let zero = W::from(0);
     if quadratic.a == zero {
         return if quadratic.c < zero { Roots::Everywhere } else { Roots::Outside };
@@ -116,21 +117,35 @@ pub(in crate::quadric) fn cylinder<S: FixedPoint>(
     caps: &Planes<S>,
     line: &Line<S>,
 ) -> Option<Span<S>> {
+    match caps.normal.along() {
+        Some(_) => aligned_cylinder(wall, caps, line),
+        None => oblique_cylinder(wall, caps, line),
+    }
+}
+
+#[inline(never)]
+fn oblique_cylinder<S: FixedPoint>(
+    wall: &Wall<S>,
+    caps: &Planes<S>,
+    line: &Line<S>,
+) -> Option<Span<S>> {
     if !is_in_range(line) {
         return None;
     }
-    let section = Section::new(wall, &caps.normal, line);
-    let (enter, exit) = of_section!(&section, quadratic => roots::<S, _>(quadratic)).ends()?;
+    let axis = unit_bits::<S>(caps.normal.vector());
+    let quadratic =
+        oblique(way(wall.base, line.origin), bits(line.direction), axis, square(wall.radius));
+    let (enter, exit) = roots::<S, _>(&quadratic).ends()?;
     let at = |t| Crossing { t, face: WALL };
-    let in_wall = Span { enter: at(enter), exit: at(exit) };
     let crossings = Crossings::new(caps, line);
     if crossings.speed == 0 {
         // Parallel to the caps, it is between them all along the wall, or nowhere.
-        let [enter, exit] = of_section!(&section, quadratic => quadratic.chord(S::BITS))?;
+        let [enter, exit] = quadratic.chord(S::BITS)?;
         let span = Span { enter: at(S::from_bits(enter)), exit: at(S::from_bits(exit)) };
         return crossings.is_between(caps).then_some(span)?.checked();
     }
-    cut(in_wall, &crossings, || of_section!(&section, quadratic => overlap(quadratic, &crossings)))
+    let in_wall = Span { enter: at(enter), exit: at(exit) };
+    cut(in_wall, &crossings, || overlap(&quadratic, &crossings))
 }
 
 /// What is between the caps of a line's part inside a wall.
@@ -140,7 +155,16 @@ pub(super) fn cut<S: FixedPoint>(
     caps: &Crossings,
     overlap: impl FnOnce() -> bool,
 ) -> Option<Span<S>> {
-    let between_caps = PlaneRoots::across(caps.rounded(), caps.speed > 0);
+    cut_at(in_wall, PlaneRoots::across(caps.rounded(), caps.speed > 0), overlap)
+}
+
+/// The same with the caps' parameters known.
+#[inline]
+pub(super) fn cut_at<S: FixedPoint>(
+    in_wall: Span<S>,
+    between_caps: PlaneRoots<S>,
+    overlap: impl FnOnce() -> bool,
+) -> Option<Span<S>> {
     let (enter, exit) = between_caps.ends()?.common_ends(in_wall);
     let is_beyond = exit.t == S::LOWEST || enter.t == S::HIGHEST;
     if enter.t != exit.t || is_beyond {

@@ -11,6 +11,7 @@
 //! 32 bits and a half `a t²` is at most 2¹²⁶. An oblique axis has 28 bits more and needs 256 bits. So does a
 //! cone, whose own file has the bounds.
 
+mod aligned;
 mod ball;
 mod cone;
 mod cylinder;
@@ -19,6 +20,7 @@ mod planes;
 mod quadratic;
 mod torus;
 
+pub(super) use aligned::aligned_cylinder;
 pub(super) use ball::ball;
 pub(super) use cone::{cone, conic};
 pub(super) use cylinder::{cylinder, open_cylinder};

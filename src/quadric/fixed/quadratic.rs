@@ -111,7 +111,7 @@ pub(super) enum Root {
 }
 
 /// Binary digits that approximate roots have beyond those of the grid.
-const GUARD: u32 = 16;
+pub(super) const GUARD: u32 = 16;
 
 impl<W: Integer> Quadratic<W> {
     /// The sign of the value at a fraction, and that of its derivative: each times a positive factor.
