@@ -180,6 +180,55 @@ const SEEDS: [u8; 256] = {
     seeds
 };
 
+/// The root of `square · 2⁴⁰`, cut off.
+#[inline]
+pub(crate) const fn root_with_40_digits(square: u64) -> u64 {
+    let zeros = leading_zeros(square) & !1;
+    let square = square << (zeros & 63);
+    let mut root = sqrt(square);
+    if unsigned_product(root, root) > square {
+        root -= 1;
+    }
+    // 20 digits more: the rest over twice the root, less one where the square of that is too much.
+    let rest = (square - unsigned_product(root, root)) << 20;
+    let twice = 2 * root as u64;
+    let step = match rest.checked_div(twice) {
+        Some(step) => step,
+        None => 0,
+    };
+    let is_too_much = (rest - step * twice) << 20 < step * step;
+    (((root as u64) << 20) + step - is_too_much as u64) >> (zeros / 2)
+}
+
+/// `numerator · 2²⁰ / divisor`, rounded to nearest, halves upwards, for quotients of 32 bits and divisors
+/// below 2⁵⁶; `inverse` is the reciprocal of the [`normalized`] divisor.
+#[inline]
+pub(crate) const fn quotient_by(inverse: u32, exponent: i32, divisor: u64, numerator: i64) -> i64 {
+    let (mantissa, own) = normalized(numerator.unsigned_abs());
+    let roughly = unsigned_product(mantissa, inverse);
+    let mut quotient = match roughly.checked_shr((43 + exponent - own).cast_unsigned()) {
+        Some(quotient) => quotient,
+        None => 0,
+    };
+    // Off by a few units at most, so of the rest 64 bits tell all.
+    let exact = numerator.unsigned_abs() << 20;
+    let mut rest = exact.wrapping_sub(quotient.wrapping_mul(divisor)).cast_signed();
+    while rest < 0 {
+        rest += divisor as i64;
+        quotient -= 1;
+    }
+    while rest >= divisor as i64 {
+        rest -= divisor as i64;
+        quotient += 1;
+    }
+    let twice = 2 * rest as u64;
+    if numerator < 0 {
+        -((quotient + (twice > divisor) as u64) as i64)
+    } else {
+        (quotient + (twice >= divisor) as u64) as i64
+    }
+}
+
 /// The zeros in front of the first one.
 #[inline]
 pub(crate) const fn leading_zeros(value: u64) -> u32 {
@@ -306,6 +355,21 @@ mod tests {
                 let want = root + u128::from(square - root * root > root);
                 prop_assert_eq!(u128::from(long_root(low >> shift)), want);
             }
+        }
+
+        #[test]
+        fn more_digits_are_those_of_wide_integers(square: u64, drop in 0..64u32, part: i32, of: i32) {
+            let square = square >> drop;
+            let wide = (u128::from(square) << 40).isqrt();
+            prop_assert_eq!(u128::from(root_with_40_digits(square)), wide);
+            // A coordinate of a vector, and a length.
+            let divisor = root_with_40_digits(square.max(1).max(u64::from(part.unsigned_abs()).pow(2)));
+            let numerator = i64::from(part) * i64::from(of);
+            let (mantissa, exponent) = normalized(divisor);
+            prop_assert_eq!(
+                i128::from(quotient_by(reciprocal(mantissa), exponent, divisor, numerator)),
+                divide(i128::from(numerator) << 20, divisor.into())
+            );
         }
 
         #[test]
