@@ -141,18 +141,8 @@ pub(crate) const fn sqrt(square: u64) -> u32 {
     if square == 0 {
         return 0;
     }
-    // 1/4 ≤ a < 1, in 32 digits.
     let zeros = leading_zeros(square) & !1;
-    let a = ((square << zeros) >> 32) as u32;
-    let seed = SEEDS[(a >> 24) as usize] as u32 + 256;
-    // y(3 − ay²)/2, in 15 digits.
-    let three = (3 << 30) - (a >> 16) * ((seed * seed) >> 2);
-    let inverse = (seed * (three >> 9)) >> 15;
-    let short = ((a >> 16) * inverse) >> 15;
-    // short + (a − short²)/2√a, in 32 digits.
-    let rest = a.wrapping_sub(short * short).cast_signed();
-    let long = (short << 16).saturating_add_signed(((rest >> 4) * inverse.cast_signed()) >> 12);
-
+    let (long, _) = root_of_26_digits(((square << zeros) >> 32) as u32);
     let mut root = long >> (zeros / 2);
     let mut rest = square.wrapping_sub(unsigned_product(root, root)).cast_signed();
     // The square of root + 1/2 is root² + root + 1/4.
@@ -165,6 +155,29 @@ pub(crate) const fn sqrt(square: u64) -> u32 {
         root -= 1;
     }
     root
+}
+
+/// The square root of a number from 2⁶² on, to one unit.
+#[inline]
+pub(crate) const fn rough_root(square: u64) -> u32 {
+    let (root, inverse) = root_of_26_digits((square >> 32) as u32);
+    let rest = square.wrapping_sub(unsigned_product(root, root)).cast_signed();
+    let step = ((rest >> 26) as i32 * inverse.cast_signed()) >> 22;
+    root.saturating_add_signed(step)
+}
+
+/// The root of 1/4 ≤ a < 1, both in 32 digits, and its reciprocal in 15.
+#[inline]
+const fn root_of_26_digits(a: u32) -> (u32, u32) {
+    let seed = SEEDS[(a >> 24) as usize] as u32 + 256;
+    // y(3 − ay²)/2, in 15 digits.
+    let three = (3 << 30) - (a >> 16) * ((seed * seed) >> 2);
+    let inverse = (seed * (three >> 9)) >> 15;
+    let short = ((a >> 16) * inverse) >> 15;
+    // short + (a − short²)/2√a, in 32 digits.
+    let rest = a.wrapping_sub(short * short).cast_signed();
+    let long = (short << 16).saturating_add_signed(((rest >> 4) * inverse.cast_signed()) >> 12);
+    (long, inverse)
 }
 
 /// 256(1/√a − 1) in the middle of each 256th from 1/4 on.
@@ -380,6 +393,13 @@ mod tests {
                 let (root, square) = (i128::from(sqrt(square)), i128::from(square));
                 prop_assert!(4 * square <= (2 * root + 1) * (2 * root + 1) || root == 0xffff_ffff);
                 prop_assert!(root == 0 || 4 * square > (2 * root - 1) * (2 * root - 1));
+            }
+        }
+
+        #[test]
+        fn rough_roots_are_off_by_a_unit(any in 1u64 << 62.., low: u32) {
+            for square in [any, 1 << 62 | u64::from(low), u64::MAX - u64::from(low)] {
+                prop_assert!(u64::from(rough_root(square)).abs_diff(square.isqrt()) <= 1);
             }
         }
 

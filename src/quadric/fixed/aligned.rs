@@ -11,7 +11,7 @@ use super::quadratic::{GUARD, Quadratic};
 use crate::geom::{Axis, Line};
 use crate::numeric::{product, unsigned_product};
 use crate::quadric::{PlaneRoots, Planes, WALL, Wall};
-use crate::scalar::integer::{leading_zeros, narrow, normalized, reciprocal, sqrt};
+use crate::scalar::integer::{leading_zeros, narrow, normalized, reciprocal, rough_root};
 use crate::scalar::{FixedPoint, Number};
 use crate::span::{Crossing, Span};
 
@@ -70,57 +70,49 @@ impl Section {
         Self { q, m: bits(line.direction), radius: wall.radius.to_bits() }
     }
 
-    /// The coefficients a, b, c and k of the quadratic; see `float/mod.rs`.
+    /// The coefficients a, b and k of the quadratic, and r²; see `float/mod.rs`.
     #[inline]
     fn coefficients(&self) -> [i64; 4] {
-        let Self { q: [qx, qy], m: [mx, my], .. } = *self;
-        let square = self.square();
+        let Self { q: [qx, qy], m: [mx, my], radius } = *self;
         [
             product(mx, mx) + product(my, my),
             product(qx, mx) + product(qy, my),
-            product(qx, qx) + product(qy, qy) - square,
             product(qx, my) - product(qy, mx),
+            product(radius, radius),
         ]
     }
 
-    #[inline]
-    fn square(&self) -> i64 {
-        product(self.radius, self.radius)
-    }
-
     fn quick_roots(&self, fraction: u32) -> Quick {
-        let [a, b, c, k] = self.coefficients();
-        let (largest, square) = (
-            wide_product(self.square().unsigned_abs(), a.unsigned_abs()),
-            wide_product(k.unsigned_abs(), k.unsigned_abs()),
-        );
-        if largest < square {
+        let [a, b, k, square] = self.coefficients();
+        let k = k.unsigned_abs();
+        let (largest, least) = (wide_product(square as u64, a as u64), wide_product(k, k));
+        if largest < least {
             return Quick::Outside;
         }
-        let discriminant = largest - square;
+        let discriminant = largest - least;
         if a == 0 || discriminant == 0 {
             return Quick::Unsure;
         }
-        // s/a and c/s with s = |b| + √D, as in `quadratic.rs`.
-        let s = Rough::of(b.unsigned_abs()).plus(Rough::root(discriminant));
-        let far = s.over(Rough::of(a.unsigned_abs()), fraction);
-        let near = Rough::of(c.unsigned_abs()).over(s, fraction);
-        let (Some(far), Some(near)) = (far, near) else { return Quick::Unsure };
-        let near = if c < 0 { -near } else { near };
-        let [enter, exit] = match () {
-            () if b == 0 => [-far, far],
-            () if b > 0 => [-far, -near],
-            () => [near, far],
-        };
-        match (nearest(enter), nearest(exit)) {
+        // On the grid it is the error that counts, so −b/a ± √D/a are as good as roots that don't cancel.
+        let a = Rough::of(a as u64);
+        let (one_over_a, digits) = (inverse(a.mantissa), a.exponent - (fraction + GUARD) as i32);
+        let middle = Rough::of(b.unsigned_abs()).times(one_over_a, digits);
+        let half = Rough::root(discriminant).times(one_over_a, digits);
+        let (Some(middle), Some(half)) = (middle, half) else { return Quick::Unsure };
+        // Three mantissas and a reciprocal are cut off, and each part once more.
+        let error = ((middle + half) >> 29) as u32 + 3;
+        let middle = if b < 0 { middle } else { -middle };
+        match (nearest(middle - half, error), nearest(middle + half, error)) {
             (Some(enter), Some(exit)) => Quick::Between([enter, exit]),
             _ => Quick::Unsure,
         }
     }
 
     fn quadratic(&self) -> Quadratic<i128> {
-        let [a, b, c, k] = self.coefficients().map(i128::from);
-        Quadratic { a, b, c, discriminant: i128::from(self.square()) * a - k * k }
+        let [a, b, k, square] = self.coefficients().map(i128::from);
+        let [qx, qy] = self.q.map(|coordinate| product(coordinate, coordinate));
+        let c = i128::from(qx + qy) - square;
+        Quadratic { a, b, c, discriminant: square * a - k * k }
     }
 
     #[cold]
@@ -143,15 +135,14 @@ impl Section {
     }
 }
 
-/// The number of the grid nearest to a root with [`GUARD`] more digits and a relative error of 2^−28, if
-/// that tells which it is.
+/// The number of the grid nearest to a root with [`GUARD`] more digits, if that tells which it is.
 #[inline]
-fn nearest(roughly: i64) -> Option<i32> {
+fn nearest(roughly: i64, error: u32) -> Option<i32> {
     let raised = roughly + (1 << (GUARD - 1));
-    let error = (roughly.unsigned_abs() >> 28) as u32 + 2;
     let beyond = raised as u32 & ((1 << GUARD) - 1);
-    let is_sure = beyond >= error && beyond + error < 1 << GUARD;
-    is_sure.then_some((raised >> GUARD) as i32)
+    let t = raised >> GUARD;
+    let is_sure = beyond >= error && beyond + error < 1 << GUARD && t == i64::from(t as i32);
+    is_sure.then_some(t as i32)
 }
 
 /// The caps' planes as they are seen from the line's origin, along the axis.
@@ -224,33 +215,16 @@ impl Rough {
             let zeros = leading_zeros(high) & !1;
             (high << zeros | low >> 1 >> (63 - zeros), zeros.wrapping_sub(64))
         };
-        Self { mantissa: sqrt(bits), exponent: -(zeros.cast_signed() / 2) }
+        Self { mantissa: rough_root(bits), exponent: -(zeros.cast_signed() / 2) }
     }
 
-    fn plus(self, other: Self) -> Self {
-        let is_larger =
-            other.mantissa == 0 || self.mantissa != 0 && self.exponent >= other.exponent;
-        let (large, small) = if is_larger { (self, other) } else { (other, self) };
-        let apart = (large.exponent - small.exponent).unsigned_abs();
-        let (sum, carries) =
-            large.mantissa.overflowing_add(small.mantissa.checked_shr(apart).unwrap_or(0));
-        if carries {
-            Self { mantissa: sum >> 1 | 1 << 31, exponent: large.exponent + 1 }
-        } else {
-            Self { mantissa: sum, ..large }
-        }
-    }
-
-    /// `self / other` with [`GUARD`] more digits than the grid has, with a relative error of less than
-    /// 2^−28, and cut off. `None` beyond the grid.
-    fn over(self, other: Self, fraction: u32) -> Option<i64> {
-        let quotient = unsigned_product(self.mantissa, inverse(other.mantissa));
-        let digits = 63 + other.exponent - self.exponent - (fraction + GUARD).cast_signed();
-        match digits {
-            // A quotient of 64 bits, of which 47 are kept.
-            17..64 => Some((quotient >> digits).cast_signed()),
+    /// The product with `inverse · 2^(−63 − digits)`, cut off; `None` where it has more than 46 bits.
+    fn times(self, inverse: u32, digits: i32) -> Option<i64> {
+        let all = unsigned_product(self.mantissa, inverse);
+        match 63 + digits - self.exponent {
+            digits @ 18..64 => Some((all >> digits).cast_signed()),
             64.. => Some(0),
-            _ if quotient == 0 => Some(0),
+            _ if all == 0 => Some(0),
             _ => None,
         }
     }
