@@ -7,24 +7,23 @@
 #[cfg(target_os = "none")]
 #[path = "../board/mod.rs"]
 mod board;
-#[path = "../scene/mod.rs"]
-mod scene;
+mod part;
 mod screen;
 mod ssd1306;
 
-use scene::{Scene, Tee};
+use part::{Part, Pulley};
 
 #[cfg(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16"))))]
 type Number = f32;
 #[cfg(not(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16")))))]
 type Number = scancsg::scalar::I16F16;
 
-static TEE: Tee<Number> = Number::TEE;
+static PULLEY: Pulley<Number> = Number::PULLEY;
 
 #[cfg(target_os = "none")]
 #[board::entry]
 fn main() -> ! {
-    let is_shown = screen::show(&TEE, board::uart()).is_ok();
+    let is_shown = screen::show(&PULLEY, board::uart()).is_ok();
     loop {
         board::finish(is_shown);
     }
@@ -33,7 +32,7 @@ fn main() -> ! {
 #[cfg(not(target_os = "none"))]
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut bus = Vec::new();
-    screen::show(&TEE, &mut bus).map_err(|error| format!("{error:?}"))?;
+    screen::show(&PULLEY, &mut bus).map_err(|error| format!("{error:?}"))?;
     print!("{}", ssd1306::dots(&bus));
     Ok(())
 }

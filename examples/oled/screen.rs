@@ -1,16 +1,16 @@
-//! What the display shows: `tee`, in dots.
+//! How the part gets to the display.
 
-use super::scene::{Scene, Tee};
+use super::part::{Part, Pulley};
 use super::ssd1306::{HEIGHT, ShowError, Ssd1306, WIDTH};
 use embedded_io::Write;
-use scancsg::geom::OrthographicRays;
+use scancsg::geom::{OrthographicRays, Vec3};
 use scancsg::render::{Bayer, Dithered, Gray8, Lambert, Orthographic, Picture, Size};
 use scancsg::solid::Scan;
 
 /// Shows the part on a display at the end of a bus.
-pub fn show<S: Scene, W: Write>(part: &Tee<S>, bus: W) -> Result<(), ShowError<W::Error>>
+pub fn show<S: Part, W: Write>(part: &Pulley<S>, bus: W) -> Result<(), ShowError<W::Error>>
 where
-    Tee<S>: Scan<OrthographicRays<S>, Scalar = S>,
+    Pulley<S>: Scan<OrthographicRays<S>, Scalar = S>,
 {
     let (camera, size, light) = seen::<S>().map_err(ShowError::Picture)?;
     let mut grey = Picture::new(part, &camera, size, light, Gray8(0));
@@ -19,7 +19,9 @@ where
 }
 
 /// From where the part is seen, how large, and in which light.
-fn seen<S: Scene>() -> Result<(Orthographic<S>, Size, Lambert<S>), scancsg::Error> {
-    let light = Lambert::new(S::TO_LIGHT, S::hundredths(15))?;
-    Ok((S::orthographic()?, Size::new(WIDTH, HEIGHT)?, light))
+fn seen<S: Part>() -> Result<(Orthographic<S>, Size, Lambert<S>), scancsg::Error> {
+    let up = Vec3::new(S::ZERO, S::ONE, S::ZERO);
+    let camera = Orthographic::look_at(S::EYE, Vec3::ZERO, up, S::HEIGHT)?;
+    let light = Lambert::new(S::TO_LIGHT, S::AMBIENT)?;
+    Ok((camera, Size::new(WIDTH, HEIGHT)?, light))
 }

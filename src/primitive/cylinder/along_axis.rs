@@ -2,7 +2,7 @@
 
 use super::{Cylinder, CylinderError};
 use crate::geom::{Axis, Extent, Line, Vec3};
-use crate::quadric::meet;
+use crate::quadric::{WALL, meet};
 use crate::query::Solid;
 use crate::scalar::{Scalar, per_scalar};
 use crate::scan::bounds::Bounds;
@@ -104,12 +104,21 @@ impl<S: Scalar> Solid for AxisCylinder<S> {
     }
 
     fn normal(&self, face: Face, at: Vec3<S>) -> Vec3<S> {
-        self.cylinder.normal(face, at)
+        let Cylinder { wall, caps } = &self.cylinder;
+        match caps.normal.along() {
+            Some(along) if face == WALL => wall.normal_along(along, at, |normal| normal),
+            _ => caps.face_normal(face),
+        }
     }
 
-    #[inline]
+    // As that of a cylinder.
+    #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline(always))]
     fn cosine(&self, face: Face, at: impl FnOnce() -> Vec3<S>, to: Vec3<S>) -> S {
-        self.cylinder.cosine(face, at, to)
+        let Cylinder { wall, caps } = &self.cylinder;
+        match caps.normal.along() {
+            Some(along) if face == WALL => wall.normal_along(along, at(), |normal| normal.dot(to)),
+            _ => caps.face_cosine(face, to),
+        }
     }
 }
 
