@@ -11,19 +11,19 @@ mod part;
 mod screen;
 mod ssd1306;
 
-use part::{Part, Pulley};
+use part::{Crankshaft, Part};
 
 #[cfg(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16"))))]
 type Number = f32;
 #[cfg(not(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16")))))]
 type Number = scancsg::scalar::I16F16;
 
-static PULLEY: Pulley<Number> = Number::PULLEY;
+static CRANKSHAFT: Crankshaft<Number> = Number::CRANKSHAFT;
 
 #[cfg(target_os = "none")]
 #[board::entry]
 fn main() -> ! {
-    let is_shown = screen::show(&PULLEY, board::uart()).is_ok();
+    let is_shown = screen::show(&CRANKSHAFT, board::uart()).is_ok();
     loop {
         board::finish(is_shown);
     }
@@ -32,7 +32,7 @@ fn main() -> ! {
 #[cfg(not(target_os = "none"))]
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut bus = Vec::new();
-    screen::show(&PULLEY, &mut bus).map_err(|error| format!("{error:?}"))?;
+    screen::show(&CRANKSHAFT, &mut bus).map_err(|error| format!("{error:?}"))?;
     print!("{}", ssd1306::dots(&bus));
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! How the part gets to the display.
 
-use super::part::{Part, Pulley};
+use super::part::{Crankshaft, Part};
 use super::ssd1306::{HEIGHT, ShowError, Ssd1306, WIDTH};
 use embedded_io::Write;
 use scancsg::geom::{OrthographicRays, Vec3};
@@ -8,9 +8,9 @@ use scancsg::render::{Bayer, Dithered, Gray8, Lambert, Orthographic, Picture, Si
 use scancsg::solid::Scan;
 
 /// Shows the part on a display at the end of a bus.
-pub fn show<S: Part, W: Write>(part: &Pulley<S>, bus: W) -> Result<(), ShowError<W::Error>>
+pub fn show<S: Part, W: Write>(part: &Crankshaft<S>, bus: W) -> Result<(), ShowError<W::Error>>
 where
-    Pulley<S>: Scan<OrthographicRays<S>, Scalar = S>,
+    Crankshaft<S>: Scan<OrthographicRays<S>, Scalar = S>,
 {
     let (camera, size, light) = seen::<S>().map_err(ShowError::Picture)?;
     let mut grey = Picture::new(part, &camera, size, light, Gray8(0));

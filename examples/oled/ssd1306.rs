@@ -30,6 +30,7 @@ const ON: [u8; 2] = [COMMANDS, 0xAF];
 
 /// Why nothing is shown.
 #[derive(Debug)]
+#[cfg_attr(target_os = "none", allow(dead_code))] // it has nobody to tell why
 pub enum ShowError<E> {
     /// There is no picture.
     Picture(scancsg::Error),
