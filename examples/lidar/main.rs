@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let things = world::things::<Number>(frame)?;
         print!("{frame:2}:");
         for index in 0..world::BEAMS {
-            match world::measured(&things, &world::beam(index)?) {
+            match world::measured(&things, world::beam(index))? {
                 Some(echo) => print!(" {:.2}", echo.distance),
                 None => print!(" -"),
             }

@@ -1,5 +1,7 @@
 //! What the lidar stands among, and what it measures there.
 
+#![allow(dead_code)] // every user takes what it needs
+
 use embedded_io::Write;
 use scancsg::geom::{Axis, Ray, RayError, Vec3, vec3};
 use scancsg::scalar::{I16F16, Scalar};
@@ -12,11 +14,12 @@ pub const BEAMS: usize = 32;
 pub const FRAMES: u16 = 16;
 
 /// A cylinder along an axis, which moves to and fro or swells, in hundredths.
-struct Thing {
-    axis: Axis,
-    at: [i32; 2],
-    radius: i32,
-    ends: [i32; 2],
+#[derive(Clone, Copy)]
+pub struct Thing {
+    pub axis: Axis,
+    pub at: [i32; 2],
+    pub radius: i32,
+    pub ends: [i32; 2],
     /// What a step adds to the place and to the radius.
     moves: [i32; 2],
     swells: i32,
@@ -51,25 +54,33 @@ const QUARTER: [[i32; 2]; BEAMS / 4] = [
 
 /// Everything as it is in a frame.
 pub fn things<S: Scalar>(frame: u16) -> Result<[AxisCylinder<S>; THINGS], CylinderError> {
-    let forth = i32::from(frame % FRAMES);
-    let step = forth.min(i32::from(FRAMES) - forth);
-    let [first, ..] = &ALL;
-    let mut things = [made(first, step)?; THINGS];
-    for (place, thing) in things.iter_mut().zip(&ALL) {
-        *place = made(thing, step)?;
+    let [first, ..] = ALL;
+    let mut things = [made(&first)?; THINGS];
+    for (place, thing) in things.iter_mut().zip(moved(frame)) {
+        *place = made(&thing)?;
     }
     Ok(things)
 }
 
-fn made<S: Scalar>(thing: &Thing, step: i32) -> Result<AxisCylinder<S>, CylinderError> {
+fn made<S: Scalar>(thing: &Thing) -> Result<AxisCylinder<S>, CylinderError> {
     let n = |hundredths| S::from_ratio(hundredths, 100);
-    let Thing { axis, at: [u, v], radius, ends: [low, high], moves, swells } = *thing;
-    let at = [n(u + step * moves[0]), n(v + step * moves[1])];
-    AxisCylinder::along(axis, at, n(radius + step * swells), n(low), n(high))
+    let Thing { axis, at, radius, ends: [low, high], .. } = *thing;
+    AxisCylinder::along(axis, at.map(n), n(radius), n(low), n(high))
 }
 
-/// The beam's ray from the lidar, at the origin. Its direction has length 1.
-pub fn beam<S: Scalar>(index: usize) -> Result<Ray<S>, RayError> {
+/// Everything as it is in a frame, in hundredths.
+pub fn moved(frame: u16) -> [Thing; THINGS] {
+    let forth = i32::from(frame % FRAMES);
+    let step = forth.min(i32::from(FRAMES) - forth);
+    ALL.map(|thing| {
+        let Thing { at: [u, v], moves, .. } = thing;
+        let at = [u + step * moves[0], v + step * moves[1]];
+        Thing { at, radius: thing.radius + step * thing.swells, ..thing }
+    })
+}
+
+/// The direction of a beam, of length 1. All start at the lidar, in the origin.
+pub fn beam<S: Scalar>(index: usize) -> Vec3<S> {
     let of_quarter = QUARTER.get(index % QUARTER.len()).unwrap_or(&[0, 0]);
     let [x, y] = of_quarter.map(|part| S::from_ratio(part, 10_000_000));
     let [x, y] = match index / QUARTER.len() {
@@ -78,7 +89,7 @@ pub fn beam<S: Scalar>(index: usize) -> Result<Ray<S>, RayError> {
         2 => [x.negated(), y.negated()],
         _ => [y, x.negated()],
     };
-    Ray::new(Vec3::ZERO, vec3(x, y, S::ZERO))
+    vec3(x, y, S::ZERO)
 }
 
 /// What comes back along a beam.
@@ -91,10 +102,13 @@ pub struct Echo<S> {
 }
 
 /// Measures along a beam; `None` if nothing is there.
-pub fn measured<S: Scalar>(things: &[AxisCylinder<S>; THINGS], ray: &Ray<S>) -> Option<Echo<S>> {
-    let hit = things.hit(ray, &mut SpanList::<S, { 2 * THINGS }>::new())?;
-    let strength = hit.normal.dot(ray.line().direction).negated();
-    Some(Echo { distance: hit.t, strength })
+pub fn measured<S: Scalar>(
+    things: &[AxisCylinder<S>; THINGS],
+    beam: Vec3<S>,
+) -> Result<Option<Echo<S>>, RayError> {
+    let ray = Ray::new(Vec3::ZERO, beam)?;
+    let hit = things.hit(&ray, &mut SpanList::<S, { 2 * THINGS }>::new());
+    Ok(hit.map(|hit| Echo { distance: hit.t, strength: hit.normal.dot(beam).negated() }))
 }
 
 /// A number's bits.
@@ -119,7 +133,7 @@ pub fn sent<S: Scalar + Bits>(line: &mut impl Write) -> Option<()> {
     for frame in 0..FRAMES {
         let things = things::<S>(frame).ok()?;
         for index in 0..BEAMS {
-            let echo = measured(&things, &beam(index).ok()?);
+            let echo = measured(&things, beam(index)).ok()?;
             let bits = echo.map_or([u32::MAX; 2], |it| [it.distance.bits(), it.strength.bits()]);
             for bits in bits {
                 line.write_all(&bits.to_le_bytes()).ok()?;

@@ -7,11 +7,9 @@
 #[cfg(target_os = "none")]
 #[path = "../board/mod.rs"]
 mod board;
-mod part;
 mod screen;
-mod ssd1306;
 
-use part::{Crankshaft, Part};
+use screen::part::{Crankshaft, Part};
 
 #[cfg(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16"))))]
 type Number = f32;
@@ -33,6 +31,6 @@ fn main() -> ! {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut bus = Vec::new();
     screen::show(&CRANKSHAFT, &mut bus).map_err(|error| format!("{error:?}"))?;
-    print!("{}", ssd1306::dots(&bus));
+    print!("{}", screen::ssd1306::dots(&bus));
     Ok(())
 }

@@ -12,7 +12,11 @@ mod faults;
 #[path = "../../examples/host/mod.rs"]
 mod host;
 mod layers;
+#[path = "../../examples/lidar/world.rs"]
+mod lidar;
 mod log;
+#[path = "../../examples/oled/screen/mod.rs"]
+mod oled;
 mod paths;
 mod pico;
 #[path = "../../examples/bench/points.rs"]
@@ -22,6 +26,7 @@ mod python;
 mod report;
 #[path = "../../examples/scene/mod.rs"]
 mod scene;
+mod sent;
 mod toolchain;
 mod web;
 

@@ -1,11 +1,14 @@
-//! How the part gets to the display.
+//! What the display shows, and how it gets there.
 
-use super::part::{Crankshaft, Part};
-use super::ssd1306::{HEIGHT, ShowError, Ssd1306, WIDTH};
+pub mod part;
+pub mod ssd1306;
+
 use embedded_io::Write;
+use part::{Crankshaft, Part};
 use scancsg::geom::{OrthographicRays, Vec3};
 use scancsg::render::{Bayer, Dithered, Gray8, Lambert, Orthographic, Picture, Size};
 use scancsg::solid::Scan;
+use ssd1306::{HEIGHT, ShowError, Ssd1306, WIDTH};
 
 /// Shows the part on a display at the end of a bus.
 pub fn show<S: Part, W: Write>(part: &Crankshaft<S>, bus: W) -> Result<(), ShowError<W::Error>>
@@ -19,7 +22,7 @@ where
 }
 
 /// From where the part is seen, how large, and in which light.
-fn seen<S: Part>() -> Result<(Orthographic<S>, Size, Lambert<S>), scancsg::Error> {
+pub fn seen<S: Part>() -> Result<(Orthographic<S>, Size, Lambert<S>), scancsg::Error> {
     let up = Vec3::new(S::ZERO, S::ONE, S::ZERO);
     let camera = Orthographic::look_at(S::EYE, Vec3::ZERO, up, S::HEIGHT)?;
     let light = Lambert::new(S::TO_LIGHT, S::AMBIENT)?;

@@ -1,5 +1,7 @@
 //! The SSD1306, a controller of small displays with two colours, as far as pictures need it.
 
+#![allow(dead_code)] // every user takes what it needs
+
 use embedded_io::Write;
 use scancsg::render::{Mono, RowSource};
 
@@ -30,7 +32,6 @@ const ON: [u8; 2] = [COMMANDS, 0xAF];
 
 /// Why nothing is shown.
 #[derive(Debug)]
-#[cfg_attr(target_os = "none", allow(dead_code))] // it has nobody to tell why
 pub enum ShowError<E> {
     /// There is no picture.
     Picture(scancsg::Error),
