@@ -47,8 +47,9 @@ fn entry<S: Scalar>(thing: &Thing, beam: [f64; 3]) -> Option<(f64, [f64; 3])> {
     is_hit.then_some((first, normal))
 }
 
-/// Compares all beams of all frames; the numbers' step at the distances that there are is `unit`.
-fn check<S: Scalar>(unit: f64) {
+/// Compares all beams of all frames; the numbers' step at the distances that there are is `unit`, and so many
+/// of them are allowed.
+fn check<S: Scalar>(unit: f64, allowed: f64) {
     let (mut echoes, mut misses) = (0, 0);
     for frame in 0..FRAMES {
         let (things, moved) = (world::things::<S>(frame).unwrap(), world::moved(frame));
@@ -64,7 +65,7 @@ fn check<S: Scalar>(unit: f64) {
                 continue;
             };
             let off = (echo.distance.to_f64() - distance).abs();
-            assert!(off <= 0.5 * unit + 1e-12, "frame {frame}, beam {index}: off by {off}");
+            assert!(off <= allowed * unit + 1e-12, "frame {frame}, beam {index}: off by {off}");
             let strength: f64 = -(0..3).map(|i| normal[i] * beam[i]).sum::<f64>();
             let off = (echo.strength.to_f64() - strength).abs();
             assert!(off <= 16.0 * unit, "frame {frame}, beam {index}: strength off by {off}");
@@ -77,11 +78,11 @@ fn check<S: Scalar>(unit: f64) {
 
 #[test]
 fn fixed_point_is_right_to_half_a_unit() {
-    check::<I16F16>(2f64.powi(-16));
+    check::<I16F16>(2f64.powi(-16), 0.5);
 }
 
 #[test]
-fn single_precision_is_right_to_a_unit() {
+fn single_precision_is_right_to_two_units() {
     // Distances are below 8.
-    check::<f32>(2f64.powi(-20));
+    check::<f32>(2f64.powi(-21), 2.0);
 }

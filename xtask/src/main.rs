@@ -11,6 +11,8 @@ mod elf;
 mod faults;
 #[path = "../../examples/host/mod.rs"]
 mod host;
+#[path = "../../tests/footprint/kinds.rs"]
+mod kinds;
 mod layers;
 #[path = "../../examples/lidar/world.rs"]
 mod lidar;
@@ -27,6 +29,7 @@ mod report;
 #[path = "../../examples/scene/mod.rs"]
 mod scene;
 mod sent;
+mod sizes;
 mod toolchain;
 mod web;
 
@@ -48,6 +51,9 @@ enum Chore {
     /// Build the firmware of every board, boot it, receive its picture through its serial port, and
     /// compare it with the host's
     Boards(boards::Boards),
+
+    /// Measure flash by firmware, feature and level of optimisation, and RAM by kind of solid
+    Sizes(sizes::Sizes),
 
     /// Build firmware with its `defmt` log, and check the picture and the log
     Log(Chosen),
@@ -99,6 +105,7 @@ impl Chosen {
 fn main() -> ExitCode {
     let result = match Args::parse().chore {
         Chore::Boards(chosen) => boards::measure(&chosen),
+        Chore::Sizes(chosen) => sizes::show(&chosen),
         Chore::Log(chosen) => {
             chosen.boards().iter().try_for_each(|board| log::check(*board, chosen.number))
         }

@@ -146,14 +146,16 @@ fn save(name: &str, text: &str) -> Result<(), String> {
 /// The text with the table between its two marks.
 fn with_table(text: &str, table: &str) -> Result<String, String> {
     const MARKS: [&str; 2] = ["<!-- boards -->\n", "<!-- end of boards -->\n"];
-    let [start, end] = MARKS.map(|mark| text.split_once(mark));
-    match (start, end) {
-        (Some((before, _)), Some((_, after))) => {
-            let [start, end] = MARKS;
-            Ok(format!("{before}{start}{table}{end}{after}"))
-        }
-        _ => Err("README.md has no marks around the table of the boards".into()),
-    }
+    between(text, MARKS, table)
+        .ok_or_else(|| "README.md has no marks around the table of the boards".into())
+}
+
+/// The text with something else between two marks, if it has them.
+pub fn between(text: &str, marks: [&str; 2], inside: &str) -> Option<String> {
+    let [start, end] = marks;
+    let (before, _) = text.split_once(start)?;
+    let (_, after) = text.split_once(end)?;
+    Some(format!("{before}{start}{inside}{end}{after}"))
 }
 
 #[cfg(test)]
