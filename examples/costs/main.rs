@@ -19,6 +19,7 @@ type Number = scancsg::scalar::I16F16;
 #[board::entry]
 fn main() -> ! {
     let is_seen = uses::all::<Number>().is_some_and(|sum| sum > 0);
+    board::log!(info, "something is seen: {=bool}", is_seen);
     loop {
         board::finish(is_seen);
     }

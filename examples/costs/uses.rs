@@ -62,7 +62,8 @@ mod line {
 
     impl embedded_io::Read for Line {
         fn read(&mut self, bytes: &mut [u8]) -> Result<usize, Infallible> {
-            Ok(black_box(bytes.len()).min(0))
+            black_box(bytes);
+            Ok(0)
         }
     }
 

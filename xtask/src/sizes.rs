@@ -23,17 +23,16 @@ const MARKS: [&str; 2] = ["<!-- sizes -->\n", "<!-- end of sizes -->\n"];
 /// The boards that flash is measured on, in the number type that suits them.
 const BOARDS: [Board; 2] = [Board::Microbit, Board::An386];
 
-/// Examples as firmware, with a feature, and what they do.
-const FIRMWARE: [(&str, &str, &str); 5] = [
-    ("render_only", "", "renders `tee` in shades of grey, 160 × 120"),
-    ("oled", "", "renders ten cylinders to an SSD1306, dithered, 128 × 64"),
-    ("lidar", "", "a ring of single rays, `hit`, ten cylinders that move"),
-    ("stream", "", "renders `tee`, sends it and repairs it, with a console"),
-    ("stream", "defmt", "the same with the feature `defmt`, and its log"),
+/// Examples as firmware, and what they do.
+const FIRMWARE: [(&str, &str); 4] = [
+    ("render_only", "renders `tee` in shades of grey, 160 × 120"),
+    ("oled", "renders ten cylinders to an SSD1306, dithered, 128 × 64"),
+    ("lidar", "a ring of single rays, `hit`, ten cylinders that move"),
+    ("stream", "renders `tee`, sends it and repairs it, with a console"),
 ];
 
 /// Features of the example `costs`, and what they do there besides.
-const USES: [(&str, &str); 8] = [
+const USES: [(&str, &str); 9] = [
     ("", "renders `tee` through `dyn RowSource`"),
     ("mint", "`mint`: a point there and back"),
     ("serde", "`serde`: a size through postcard, there and back"),
@@ -41,6 +40,7 @@ const USES: [(&str, &str); 8] = [
     ("plain", "`serve` with `Plain` rows"),
     ("predictive", "`serve` with `Predictive` rows"),
     ("async", "`async`: `serve_async` with `Predictive` rows"),
+    ("defmt", "`defmt`: a line of log, through semihosting"),
     ("program", "a `Program` of three kinds of solids in place of the typed tree"),
 ];
 
@@ -77,8 +77,8 @@ pub fn show(chosen: &Sizes) -> Result<(), String> {
     let _ = writeln!(text, "## Flash by level of optimisation\n\nBytes, fat LTO.\n");
     text += &heading("firmware", &Level::ALL);
     let plain = |cells: &[u64]| cells.iter().map(u64::to_string).collect::<Vec<_>>();
-    for (example, feature, what) in FIRMWARE {
-        let cells = flash(&toolchains, &Level::ALL, example, feature)?;
+    for (example, what) in FIRMWARE {
+        let cells = flash(&toolchains, &Level::ALL, example, "")?;
         text += &row(&format!("`{example}`: {what}"), &plain(&cells));
     }
     let _ = writeln!(
