@@ -42,7 +42,6 @@ parts! {
     "cylinder: ready ray": benign::COUNT as u32, benign::ready_ray, benign::idle_rays;
     "cylinder: ray and query": 16, cylinder_ray_and_query, nothing;
     "cylinder: query": 16, cylinder_query, nothing;
-    "cylinder: ray and hit": 16, cylinder_ray_and_hit, nothing;
     "merge of 4 and 4 spans": 16, merge_spans, nothing;
     "encode a row": 16, encode, nothing;
     "decode a row": 16, decode, nothing;
@@ -93,17 +92,6 @@ extern "C" fn cylinder_query(times: u32) {
             scancsg::geom::Line { origin: black_box(origin), direction: black_box(direction) };
         cylinder.spans(&line, Face(0), &mut list.stack());
         black_box(&list);
-    }
-}
-
-#[inline(never)]
-extern "C" fn cylinder_ray_and_hit(times: u32) {
-    let mut list = SpanList::<Number, 1>::new();
-    let [cylinder, ..] = black_box(Number::BODY);
-    for [origin, direction] in rays().into_iter().cycle().take(times as usize) {
-        if let Ok(ray) = Ray::new(black_box(origin), black_box(direction)) {
-            black_box(cylinder.hit(&ray, &mut list));
-        }
     }
 }
 
