@@ -17,8 +17,8 @@ pub struct Kind {
 macro_rules! kinds {
     ($($Solid:ident $(, $count:literal)?;)+) => {
         [$(
-            Kind { name: stringify!($Solid $(<_, $count>)?), number: "f32", bytes: bytes!($Solid, f32 $(, $count)?) },
-            Kind { name: stringify!($Solid $(<_, $count>)?), number: "I16F16", bytes: bytes!($Solid, I16F16 $(, $count)?) },
+            Kind { name: concat!(stringify!($Solid) $(, "<_, ", $count, ">")?), number: "f32", bytes: bytes!($Solid, f32 $(, $count)?) },
+            Kind { name: concat!(stringify!($Solid) $(, "<_, ", $count, ">")?), number: "I16F16", bytes: bytes!($Solid, I16F16 $(, $count)?) },
         )+]
     };
 }

@@ -5,7 +5,7 @@
 //! exactly. So is on which side of a root any fraction lies, which makes correctly rounded parameters
 //! out of approximate ones.
 //!
-//! Along a coordinate axis, and for balls, 128 bits hold everything. Solids are within 2²⁸ units.
+//! Along a coordinate axis, and for balls, 128 bits hold everything; `aligned.rs` needs them seldom. Solids are within 2²⁸ units.
 //! Rays start there too and have directions up to 2³⁰. Turned into a placed solid's frame they stay
 //! below 2³⁰ with |d|² ≤ 2⁶², which is checked. So a ≤ 2⁶², |b| and |c| < 2⁶³, and with parameters of
 //! 32 bits and a half `a t²` is at most 2¹²⁶. An oblique axis has 28 bits more and needs 256 bits. So does a
