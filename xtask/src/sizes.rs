@@ -167,8 +167,8 @@ fn ram() -> String {
 fn expected(board: Board, number: Number, part: &str) -> Result<f64, String> {
     let path = root().join("tests/expected").join(format!("{board}-{number}.txt"));
     let text = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
-    let counts = text.lines().filter_map(|line| line.strip_prefix(part)?.trim().parse().ok());
-    counts.last().ok_or_else(|| format!("{} has no `{part}`", path.display()))
+    let mut counts = text.lines().filter_map(|line| line.strip_prefix(part)?.trim().parse().ok());
+    counts.next_back().ok_or_else(|| format!("{} has no `{part}`", path.display()))
 }
 
 fn frames() -> Result<String, String> {

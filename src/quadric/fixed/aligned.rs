@@ -4,7 +4,7 @@
 //! of mantissas of 32 bits, each with a bound of its error. Where a bound leaves two numbers of the grid, and
 //! where a span may have no length, integers of 128 bits decide, in cold paths.
 
-use super::cylinder::{cut_at, overlap, roots};
+use super::between::{cut_at, overlap, roots};
 use super::lines::is_in_range;
 use super::planes::Crossings;
 use super::quadratic::{GUARD, Quadratic};

@@ -13,6 +13,7 @@
 
 mod aligned;
 mod ball;
+mod between;
 mod cone;
 mod cylinder;
 mod lines;
