@@ -1,10 +1,13 @@
 //! The memory that a render needs: the figures of the README.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::panic)]
 
+#[path = "footprint/kinds.rs"]
+mod kinds;
 #[path = "../examples/scene/mod.rs"]
 mod scene;
 
+use kinds::{KINDS, Kind};
 use scene::program::Part;
 use scene::{Scene, Tee};
 
@@ -76,4 +79,20 @@ fn programs_need_little_memory() {
     // What primitives need, and 28 bytes.
     assert!(of_cylinders.iter().all(|bytes| *bytes <= 172), "{of_cylinders:?}");
     assert!(of_parts.iter().all(|bytes| *bytes <= 192), "{of_parts:?}");
+}
+
+/// The document's table names what there is, and never less.
+#[test]
+fn solids_need_no_more_than_the_document_says() {
+    let document = include_str!("../docs/sizes.md");
+    for Kind { name, number, bytes } in KINDS {
+        let start = format!("| `{name}` | {number} |");
+        let row = document.lines().find(|line| line.starts_with(&start));
+        let cells = row.unwrap_or_else(|| panic!("docs/sizes.md has no {name} in {number}"));
+        let said: Vec<usize> =
+            cells.split('|').filter_map(|cell| cell.trim().parse().ok()).collect();
+        assert_eq!(said.len(), bytes.len(), "{cells}");
+        let is_enough = bytes.iter().zip(&said).all(|(bytes, said)| bytes <= said);
+        assert!(is_enough, "{name}, {number}: {bytes:?}; `cargo xtask sizes --overwrite`");
+    }
 }

@@ -141,18 +141,8 @@ pub(crate) const fn sqrt(square: u64) -> u32 {
     if square == 0 {
         return 0;
     }
-    // 1/4 ≤ a < 1, in 32 digits.
     let zeros = leading_zeros(square) & !1;
-    let a = ((square << zeros) >> 32) as u32;
-    let seed = SEEDS[(a >> 24) as usize] as u32 + 256;
-    // y(3 − ay²)/2, in 15 digits.
-    let three = (3 << 30) - (a >> 16) * ((seed * seed) >> 2);
-    let inverse = (seed * (three >> 9)) >> 15;
-    let short = ((a >> 16) * inverse) >> 15;
-    // short + (a − short²)/2√a, in 32 digits.
-    let rest = a.wrapping_sub(short * short).cast_signed();
-    let long = (short << 16).saturating_add_signed(((rest >> 4) * inverse.cast_signed()) >> 12);
-
+    let (long, _) = root_of_26_digits(((square << zeros) >> 32) as u32);
     let mut root = long >> (zeros / 2);
     let mut rest = square.wrapping_sub(unsigned_product(root, root)).cast_signed();
     // The square of root + 1/2 is root² + root + 1/4.
@@ -167,6 +157,29 @@ pub(crate) const fn sqrt(square: u64) -> u32 {
     root
 }
 
+/// The square root of a number from 2⁶² on, to one unit.
+#[inline]
+pub(crate) const fn rough_root(square: u64) -> u32 {
+    let (root, inverse) = root_of_26_digits((square >> 32) as u32);
+    let rest = square.wrapping_sub(unsigned_product(root, root)).cast_signed();
+    let step = ((rest >> 26) as i32 * inverse.cast_signed()) >> 22;
+    root.saturating_add_signed(step)
+}
+
+/// The root of 1/4 ≤ a < 1, both in 32 digits, and its reciprocal in 15.
+#[inline]
+const fn root_of_26_digits(a: u32) -> (u32, u32) {
+    let seed = SEEDS[(a >> 24) as usize] as u32 + 256;
+    // y(3 − ay²)/2, in 15 digits.
+    let three = (3 << 30) - (a >> 16) * ((seed * seed) >> 2);
+    let inverse = (seed * (three >> 9)) >> 15;
+    let short = ((a >> 16) * inverse) >> 15;
+    // short + (a − short²)/2√a, in 32 digits.
+    let rest = a.wrapping_sub(short * short).cast_signed();
+    let long = (short << 16).saturating_add_signed(((rest >> 4) * inverse.cast_signed()) >> 12);
+    (long, inverse)
+}
+
 /// 256(1/√a − 1) in the middle of each 256th from 1/4 on.
 const SEEDS: [u8; 256] = {
     let mut seeds = [0; 256];
@@ -179,6 +192,55 @@ const SEEDS: [u8; 256] = {
     }
     seeds
 };
+
+/// The root of `square · 2⁴⁰`, cut off.
+#[inline]
+pub(crate) const fn root_with_40_digits(square: u64) -> u64 {
+    let zeros = leading_zeros(square) & !1;
+    let square = square << (zeros & 63);
+    let mut root = sqrt(square);
+    if unsigned_product(root, root) > square {
+        root -= 1;
+    }
+    // 20 digits more: the rest over twice the root, less one where the square of that is too much.
+    let rest = (square - unsigned_product(root, root)) << 20;
+    let twice = 2 * root as u64;
+    let step = match rest.checked_div(twice) {
+        Some(step) => step,
+        None => 0,
+    };
+    let is_too_much = (rest - step * twice) << 20 < step * step;
+    (((root as u64) << 20) + step - is_too_much as u64) >> (zeros / 2)
+}
+
+/// `numerator · 2²⁰ / divisor`, rounded to nearest, halves upwards, for quotients of 32 bits and divisors
+/// below 2⁵⁶; `inverse` is the reciprocal of the [`normalized`] divisor.
+#[inline]
+pub(crate) const fn quotient_by(inverse: u32, exponent: i32, divisor: u64, numerator: i64) -> i64 {
+    let (mantissa, own) = normalized(numerator.unsigned_abs());
+    let roughly = unsigned_product(mantissa, inverse);
+    let mut quotient = match roughly.checked_shr((43 + exponent - own).cast_unsigned()) {
+        Some(quotient) => quotient,
+        None => 0,
+    };
+    // Off by a few units at most, so of the rest 64 bits tell all.
+    let exact = numerator.unsigned_abs() << 20;
+    let mut rest = exact.wrapping_sub(quotient.wrapping_mul(divisor)).cast_signed();
+    while rest < 0 {
+        rest += divisor as i64;
+        quotient -= 1;
+    }
+    while rest >= divisor as i64 {
+        rest -= divisor as i64;
+        quotient += 1;
+    }
+    let twice = 2 * rest as u64;
+    if numerator < 0 {
+        -((quotient + (twice > divisor) as u64) as i64)
+    } else {
+        (quotient + (twice >= divisor) as u64) as i64
+    }
+}
 
 /// The zeros in front of the first one.
 #[inline]
@@ -309,6 +371,21 @@ mod tests {
         }
 
         #[test]
+        fn more_digits_are_those_of_wide_integers(square: u64, drop in 0..64u32, part: i32, of: i32) {
+            let square = square >> drop;
+            let wide = (u128::from(square) << 40).isqrt();
+            prop_assert_eq!(u128::from(root_with_40_digits(square)), wide);
+            // A coordinate of a vector, and a length.
+            let divisor = root_with_40_digits(square.max(1).max(u64::from(part.unsigned_abs()).pow(2)));
+            let numerator = i64::from(part) * i64::from(of);
+            let (mantissa, exponent) = normalized(divisor);
+            prop_assert_eq!(
+                i128::from(quotient_by(reciprocal(mantissa), exponent, divisor, numerator)),
+                divide(i128::from(numerator) << 20, divisor.into())
+            );
+        }
+
+        #[test]
         fn roots_round(any in 0..u64::MAX, shift in 0..64u32, root: u32, off in -2i64..=2) {
             // Any size; and next to where rounding turns over, which is at root² + root + 1/4.
             let edge = u64::from(root) * (u64::from(root) + 1);
@@ -316,6 +393,13 @@ mod tests {
                 let (root, square) = (i128::from(sqrt(square)), i128::from(square));
                 prop_assert!(4 * square <= (2 * root + 1) * (2 * root + 1) || root == 0xffff_ffff);
                 prop_assert!(root == 0 || 4 * square > (2 * root - 1) * (2 * root - 1));
+            }
+        }
+
+        #[test]
+        fn rough_roots_are_off_by_a_unit(any in 1u64 << 62.., low: u32) {
+            for square in [any, 1 << 62 | u64::from(low), u64::MAX - u64::from(low)] {
+                prop_assert!(u64::from(rough_root(square)).abs_diff(square.isqrt()) <= 1);
             }
         }
 

@@ -11,7 +11,7 @@ mod torus;
 
 pub use cone::{Cone, ConeError};
 pub use cuboid::{Cuboid, CuboidError};
-pub use cylinder::{Cylinder, CylinderError, CylinderWall, WallHit};
+pub use cylinder::{AxisCylinder, Cylinder, CylinderError, CylinderWall, WallHit};
 pub use half_space::HalfSpaceError;
 pub use polyhedron::{Polyhedron, PolyhedronError};
 pub use slab::{Slab, SlabError};

@@ -58,6 +58,11 @@ formula! {
 }
 
 formula! {
+    /// The same for an axis along a coordinate axis. What others need isn't linked in fixed point.
+    aligned_cylinder(wall: Wall, caps: Planes) -> Option<Span<S>>, AlignedCylinder
+}
+
+formula! {
     /// Where a line enters a wall and where it exits, as far as these points are between the caps or
     /// on a rim. A tangent has both, at the same parameter.
     open_cylinder(wall: Wall, caps: Planes) -> [Option<S>; 2], OpenCylinder

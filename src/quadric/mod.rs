@@ -5,7 +5,7 @@
 //!
 //! | family | numbers | floating point | fixed point |
 //! |---|---|---|---|
-//! | cylinder | [`Wall`], cut by [`Planes`] | `float/cylinder.rs`; `aligned.rs`, `oblique.rs` by axis | `fixed/cylinder.rs` |
+//! | cylinder | [`Wall`], cut by [`Planes`] | `float/cylinder.rs`; `aligned.rs`, `oblique.rs` by axis | `fixed/cylinder.rs`; `aligned.rs` by axis |
 //! | cone | [`Taper`], cut by [`Planes`]; [`Conic`] in pictures | `float/cone.rs` | `fixed/cone.rs` |
 //! | ball | [`Ball`] | `float/ball.rs` | `fixed/ball.rs` |
 //! | torus | [`Ring`] | `quartic.rs`, in `f64` | the same |
@@ -15,7 +15,7 @@
 //!
 //! Tori are computed in `f64` for all number types. For the other families, floating point computes in twice
 //! the working precision what would cancel. Fixed point computes in integers of 128 or 256 bits and rounds
-//! each parameter once.
+//! each parameter once; an aligned cylinder's in words, where these are enough for the same bits.
 
 mod ball;
 mod corners;

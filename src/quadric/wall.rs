@@ -42,11 +42,26 @@ impl<S: Scalar> Wall<S> {
         at: Vec3<S>,
         then: impl Fn(Vec3<S>) -> T,
     ) -> T {
+        match axis.along() {
+            Some(along) => self.normal_along(along, at, then),
+            None => {
+                let u = at - self.base;
+                let outward = u - axis.times(axis.dot(u));
+                then(outward.map(|coordinate| coordinate.scaled(self.curvature)))
+            }
+        }
+    }
+
+    /// The same for an axis along a coordinate axis.
+    #[inline(always)]
+    pub(crate) fn normal_along<T>(
+        &self,
+        along: Axis,
+        at: Vec3<S>,
+        then: impl Fn(Vec3<S>) -> T,
+    ) -> T {
         let u = at - self.base;
         let scaled = |coordinate: S| coordinate.scaled(self.curvature);
-        let Some(along) = axis.along() else {
-            return then((u - axis.times(axis.dot(u))).map(scaled));
-        };
         let [first, second] = along.across(u).map(scaled);
         match along {
             Axis::X => then(Vec3::new(S::ZERO, first, second)),

@@ -37,6 +37,7 @@
 //! |---|---|---|
 //! | [`Cuboid`] | `new`, `spanning` | `between`, `of_size`, `around` |
 //! | [`Cylinder`] | `spanning`, `along_x`, `along_y`, `along_z`, `between`, `on`, `ring_along` | `along`, `from_to`, `on_axis`, `ring` |
+//! | [`AxisCylinder`] | `spanning` | `along` |
 //! | [`Cone`] | `spanning`, `along_x`, `along_y`, `along_z`, `between`, `on` | `along`, `from_to`, `on_axis` |
 //! | [`Capsule`] | `new` | `Cylinder::capsule` |
 //! | [`RoundedCuboid`] | `new` | `Cuboid::rounded` |
@@ -53,8 +54,9 @@ mod pipe;
 mod wrap;
 
 pub use crate::primitive::{
-    Cone, ConeError, Cuboid, CuboidError, Cylinder, CylinderError, CylinderWall, HalfSpaceError,
-    Polyhedron, PolyhedronError, Slab, SlabError, Sphere, SphereError, Torus, TorusError, WallHit,
+    AxisCylinder, Cone, ConeError, Cuboid, CuboidError, Cylinder, CylinderError, CylinderWall,
+    HalfSpaceError, Polyhedron, PolyhedronError, Slab, SlabError, Sphere, SphereError, Torus,
+    TorusError, WallHit,
 };
 pub use crate::quadric::HalfSpace;
 pub use crate::query::{Hit, RayCast, Rgb, Seen, Solid, first_seen};

@@ -1,8 +1,8 @@
 //! The operators `|`, `&` and `-`, of every solid with any other.
 
 use super::{
-    Boolean, ByLine, Capsule, Cone, Cuboid, Cylinder, HalfSpace, Many, Painted, Pipe, Placed,
-    Polyhedron, RoundedCuboid, Scaled, Slab, Sphere, Torus,
+    AxisCylinder, Boolean, ByLine, Capsule, Cone, Cuboid, Cylinder, HalfSpace, Many, Painted, Pipe,
+    Placed, Polyhedron, RoundedCuboid, Scaled, Slab, Sphere, Torus,
 };
 use crate::scalar::Scalar;
 use crate::span::Shape;
@@ -31,6 +31,7 @@ pub(crate) use operators;
 operators! {
     [S: Scalar] Cuboid<S>,
     [S: Scalar] Cone<S>,
+    [S: Scalar] AxisCylinder<S>,
     [S: Scalar] Cylinder<S>,
     [S: Scalar] HalfSpace<S>,
     [S: Scalar, const N: usize, F] Polyhedron<S, N, F>,

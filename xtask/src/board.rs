@@ -45,6 +45,14 @@ impl Board {
         }
     }
 
+    /// The number type that suits it: floating point where that is in hardware.
+    pub fn number(self) -> Number {
+        match self {
+            Self::An386 | Self::An505 => Number::F32,
+            Self::Microbit | Self::Lm3s6965 | Self::Virt => Number::I16f16,
+        }
+    }
+
     /// The emulator's program and its machine.
     pub fn machine(self) -> (&'static str, &'static [&'static str]) {
         match self {

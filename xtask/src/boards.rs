@@ -1,7 +1,7 @@
 //! Firmware on all boards: its picture, what it takes, and what it counts.
 
 use crate::board::{Board, Number};
-use crate::{boot, counts, elf, host, report, toolchain};
+use crate::{boot, counts, elf, host, report, sent, toolchain};
 use std::path::PathBuf;
 
 #[derive(Debug, Default, clap::Args)]
@@ -72,6 +72,8 @@ pub fn measure(chosen: &Boards) -> Result<(), String> {
                 let text = format!("rendering takes {render_flash} bytes of flash");
                 problems.push(format!("{board}, {number}: {text}, of {MOST_FLASH} that it may"));
             }
+            let (sent, wrong) = sent::check(&toolchain, board, number)?;
+            problems.extend(wrong.iter().map(|text| format!("{board}, {number}, {text}")));
             let counts = counts::measure(&toolchain, board, number)?;
             problems.extend(counts.problem().map(|text| format!("{board}, {number}: {text}")));
             let changes = counts.compare(chosen.overwrite)?;
@@ -82,7 +84,7 @@ pub fn measure(chosen: &Boards) -> Result<(), String> {
                     .filter(|change| change.is_worse)
                     .map(|change| format!("{board}, {number}: {}", change.text)),
             );
-            rows.push(report::Row { board, number, contents, render_flash, outcome, counts });
+            rows.push(report::Row { board, number, contents, render_flash, sent, outcome, counts });
         }
     }
     let table = report::table(&rows);

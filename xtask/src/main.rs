@@ -12,8 +12,14 @@ mod elf;
 mod faults;
 #[path = "../../examples/host/mod.rs"]
 mod host;
+#[path = "../../tests/footprint/kinds.rs"]
+mod kinds;
 mod layers;
+#[path = "../../examples/lidar/world.rs"]
+mod lidar;
 mod log;
+#[path = "../../examples/oled/screen/mod.rs"]
+mod oled;
 mod paths;
 mod pico;
 #[path = "../../examples/bench/points.rs"]
@@ -23,6 +29,8 @@ mod python;
 mod report;
 #[path = "../../examples/scene/mod.rs"]
 mod scene;
+mod sent;
+mod sizes;
 mod toolchain;
 mod web;
 
@@ -44,6 +52,9 @@ enum Chore {
     /// Build the firmware of every board, boot it, receive its picture through its serial port, and
     /// compare it with the host's
     Boards(boards::Boards),
+
+    /// Measure flash by firmware, feature and level of optimisation, and RAM by kind of solid
+    Sizes(sizes::Sizes),
 
     /// Build firmware with its `defmt` log, and check the picture and the log
     Log(Chosen),
@@ -98,6 +109,7 @@ impl Chosen {
 fn main() -> ExitCode {
     let result = match Args::parse().chore {
         Chore::Boards(chosen) => boards::measure(&chosen),
+        Chore::Sizes(chosen) => sizes::show(&chosen),
         Chore::Log(chosen) => {
             chosen.boards().iter().try_for_each(|board| log::check(*board, chosen.number))
         }

@@ -5,6 +5,7 @@ use crate::boot::Outcome;
 use crate::counts::Counts;
 use crate::elf::Contents;
 use crate::paths::root;
+use crate::sent::Flash;
 use std::fmt::Write as _;
 use std::fs;
 
@@ -14,6 +15,8 @@ pub struct Row {
     pub contents: Contents,
     /// Flash of a firmware that renders and does nothing else.
     pub render_flash: u64,
+    /// Flash of other firmware, where it was measured.
+    pub sent: Flash,
     pub outcome: Outcome,
     pub counts: Counts,
 }
@@ -93,6 +96,15 @@ pub fn write(rows: &[Row]) -> Result<(), String> {
         let _ = write!(text, " {} |", row.render_flash);
     });
     text.push('\n');
+    let most = rows.iter().map(|row| &row.sent).max_by_key(|sent| sent.len());
+    for (index, (words, _)) in most.into_iter().flatten().enumerate() {
+        let _ = write!(text, "| {words} |");
+        rows.iter().for_each(|row| {
+            let flash = row.sent.get(index).map_or("-".to_owned(), |(_, flash)| flash.to_string());
+            let _ = write!(text, " {flash} |");
+        });
+        text.push('\n');
+    }
     // What doesn't fit the smallest board is missing there.
     let names = rows.iter().map(|row| &row.counts.entries).max_by_key(|entries| entries.len());
     for (name, _) in names.into_iter().flatten() {
@@ -134,14 +146,16 @@ fn save(name: &str, text: &str) -> Result<(), String> {
 /// The text with the table between its two marks.
 fn with_table(text: &str, table: &str) -> Result<String, String> {
     const MARKS: [&str; 2] = ["<!-- boards -->\n", "<!-- end of boards -->\n"];
-    let [start, end] = MARKS.map(|mark| text.split_once(mark));
-    match (start, end) {
-        (Some((before, _)), Some((_, after))) => {
-            let [start, end] = MARKS;
-            Ok(format!("{before}{start}{table}{end}{after}"))
-        }
-        _ => Err("README.md has no marks around the table of the boards".into()),
-    }
+    between(text, MARKS, table)
+        .ok_or_else(|| "README.md has no marks around the table of the boards".into())
+}
+
+/// The text with something else between two marks, if it has them.
+pub fn between(text: &str, marks: [&str; 2], inside: &str) -> Option<String> {
+    let [start, end] = marks;
+    let (before, _) = text.split_once(start)?;
+    let (_, after) = text.split_once(end)?;
+    Some(format!("{before}{start}{inside}{end}{after}"))
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@
 use crate::board::{Board, Number};
 use crate::paths::root;
 use std::env;
+use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -14,6 +15,32 @@ pub struct Toolchain {
     cargo: PathBuf,
     /// Where the compiler is, if it isn't cargo's own, and the libraries that were built for it.
     foreign: Option<(PathBuf, PathBuf)>,
+}
+
+/// What the compiler optimises for: Cargo's `opt-level`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Level {
+    Three,
+    S,
+    Z,
+}
+
+impl Level {
+    pub const ALL: [Self; 3] = [Self::Three, Self::S, Self::Z];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Three => "3",
+            Self::S => "s",
+            Self::Z => "z",
+        }
+    }
+}
+
+impl fmt::Display for Level {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
 }
 
 /// What firmware is built with: fat LTO, one codegen unit.
@@ -164,6 +191,18 @@ impl Toolchain {
         example: &str,
         features: &[&str],
     ) -> Result<PathBuf, String> {
+        self.build_at(Level::Three, board, number, example, features)
+    }
+
+    /// The same at a level of optimisation.
+    pub fn build_at(
+        &self,
+        level: Level,
+        board: Board,
+        number: Number,
+        example: &str,
+        features: &[&str],
+    ) -> Result<PathBuf, String> {
         let target = board.target();
         let folder = root().join("target/boards").join(number.name());
         let mut command = self.cargo(target, &format!("--cfg number=\"{number}\""));
@@ -171,6 +210,7 @@ impl Toolchain {
             .args(["build", "--quiet", "--profile", PROFILE])
             .args(["--package", "examples", "--example", example])
             .args(["--features", &features.join(",")])
+            .env("CARGO_PROFILE_FIRMWARE_OPT_LEVEL", level.name())
             .env("CARGO_TARGET_DIR", &folder);
         output(&mut command)?;
         Ok(folder.join(target).join(PROFILE).join("examples").join(example))

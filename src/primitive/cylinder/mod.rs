@@ -1,11 +1,13 @@
 //! The solid cylinder with caps.
 
+mod along_axis;
 mod open;
 mod orthographic;
 mod perspective;
 #[cfg(test)]
 mod tests;
 
+pub use along_axis::AxisCylinder;
 pub use open::{CylinderWall, WallHit};
 
 use crate::geom::{Axis, AxisLine, Direction, Line, Vec3};

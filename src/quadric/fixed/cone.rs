@@ -18,7 +18,7 @@
 //! In pictures no coordinate has more than 31 bits, M is not longer than 2³¹ and Q not than 2³²: the
 //! discriminant, and `a t²` with parameters of 32 bits and a half, are below 2¹²⁷.
 
-use super::cylinder::{cut, overlap};
+use super::between::{cut, overlap};
 use super::lines::{bits, cross, dot, is_in_range, unit_bits, way};
 use super::planes::Crossings;
 use super::quadratic::{Integer, Quadratic};

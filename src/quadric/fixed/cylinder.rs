@@ -1,10 +1,12 @@
 //! Where a line is inside a cylinder's wall, between its caps.
 
+use super::aligned::aligned_cylinder;
+use super::between::{cut, overlap, roots};
 use super::lines::{bits, cross, dot, is_in_range, square, unit_bits, way, wide_dot};
-use super::planes::{Crossings, next};
+use super::planes::Crossings;
 use super::quadratic::{Integer, Quadratic, Root};
 use crate::geom::{Direction, Line, Vec3};
-use crate::quadric::{PlaneRoots, Planes, WALL, Wall};
+use crate::quadric::{Planes, WALL, Wall};
 use crate::scalar::{FixedPoint, Roots};
 use crate::span::{Crossing, Span};
 use ethnum::I256;
@@ -72,34 +74,6 @@ impl Section {
     }
 }
 
-/// Where the line is inside the wall, each parameter rounded.
-fn roots<S: FixedPoint, W: Integer>(quadratic: &Quadratic<W>) -> Roots<S> {
-    let zero = W::from(0);
-    if quadratic.a == zero {
-        return if quadratic.c < zero { Roots::Everywhere } else { Roots::Outside };
-    }
-    if quadratic.discriminant < zero {
-        return Roots::Outside;
-    }
-    let [enter, exit] = quadratic.roots(S::BITS).map(S::from_bits);
-    Roots::Between(enter, exit)
-}
-
-/// Whether the line is inside the quadratic and between the planes for some time.
-pub(super) fn overlap<W: Integer>(quadratic: &Quadratic<W>, caps: &Crossings) -> bool {
-    let [first, last, speed] = caps.fractions();
-    if quadratic.is_inside(first, speed) || quadratic.is_inside(last, speed) {
-        return true;
-    }
-    // Both ends are outside. They are on either side of the roots if the vertex −b/a is between
-    // them, where the quadratic is smallest.
-    let (a, b, d) = (quadratic.a, quadratic.b, W::from(speed));
-    let zero = W::from(0);
-    quadratic.discriminant > zero
-        && a * W::from(first) + b * d < zero
-        && a * W::from(last) + b * d > zero
-}
-
 /// Which of the two points of the wall are between the planes, or on one.
 fn between<W: Integer>(quadratic: &Quadratic<W>, caps: &Crossings) -> [bool; 2] {
     if caps.speed == 0 {
@@ -116,38 +90,35 @@ pub(in crate::quadric) fn cylinder<S: FixedPoint>(
     caps: &Planes<S>,
     line: &Line<S>,
 ) -> Option<Span<S>> {
+    match caps.normal.along() {
+        Some(_) => aligned_cylinder(wall, caps, line),
+        None => oblique_cylinder(wall, caps, line),
+    }
+}
+
+#[inline(never)]
+fn oblique_cylinder<S: FixedPoint>(
+    wall: &Wall<S>,
+    caps: &Planes<S>,
+    line: &Line<S>,
+) -> Option<Span<S>> {
     if !is_in_range(line) {
         return None;
     }
-    let section = Section::new(wall, &caps.normal, line);
-    let (enter, exit) = of_section!(&section, quadratic => roots::<S, _>(quadratic)).ends()?;
+    let axis = unit_bits::<S>(caps.normal.vector());
+    let quadratic =
+        oblique(way(wall.base, line.origin), bits(line.direction), axis, square(wall.radius));
+    let (enter, exit) = roots::<S, _>(&quadratic).ends()?;
     let at = |t| Crossing { t, face: WALL };
-    let in_wall = Span { enter: at(enter), exit: at(exit) };
     let crossings = Crossings::new(caps, line);
     if crossings.speed == 0 {
         // Parallel to the caps, it is between them all along the wall, or nowhere.
-        let [enter, exit] = of_section!(&section, quadratic => quadratic.chord(S::BITS))?;
+        let [enter, exit] = quadratic.chord(S::BITS)?;
         let span = Span { enter: at(S::from_bits(enter)), exit: at(S::from_bits(exit)) };
         return crossings.is_between(caps).then_some(span)?.checked();
     }
-    cut(in_wall, &crossings, || of_section!(&section, quadratic => overlap(quadratic, &crossings)))
-}
-
-/// What is between the caps of a line's part inside a wall.
-#[inline]
-pub(super) fn cut<S: FixedPoint>(
-    in_wall: Span<S>,
-    caps: &Crossings,
-    overlap: impl FnOnce() -> bool,
-) -> Option<Span<S>> {
-    let between_caps = PlaneRoots::across(caps.rounded(), caps.speed > 0);
-    let (enter, exit) = between_caps.ends()?.common_ends(in_wall);
-    let is_beyond = exit.t == S::LOWEST || enter.t == S::HIGHEST;
-    if enter.t != exit.t || is_beyond {
-        return Span::new(enter, exit);
-    }
-    // It is in there for so short a time, if at all, that both ends round to the same parameter.
-    overlap().then_some(Span { enter, exit: Crossing { t: next(exit.t), ..exit } })
+    let in_wall = Span { enter: at(enter), exit: at(exit) };
+    cut(in_wall, &crossings, || overlap(&quadratic, &crossings))
 }
 
 pub(in crate::quadric) fn open_cylinder<S: FixedPoint>(

@@ -28,11 +28,19 @@ pub(super) fn unit_bits<S: FixedPoint>(v: Vec3<S::Unit>) -> [i64; 3] {
 
 /// Whether a line is one that this module's integers have room for. All rays are; lines of a
 /// caller's own need not be, and they meet nothing.
+#[inline]
 pub(super) fn is_in_range<S: FixedPoint>(line: &Line<S>) -> bool {
-    let square = |x: i64| x.unsigned_abs() * x.unsigned_abs();
-    let [dx, dy, dz] = bits(line.direction);
-    let far = bits(line.origin).into_iter().any(|x| x.unsigned_abs() >= 1 << 30);
-    !far && square(dx) + square(dy) + square(dz) <= 1 << 62
+    let all =
+        |v: Vec3<S>| v.to_array().into_iter().fold(0, |all, x| all | x.to_bits().unsigned_abs());
+    all(line.origin) < 1 << 30 && (all(line.direction) < 1 << 30 || is_short(line.direction))
+}
+
+/// Whether |d|² ≤ 2⁶², of a direction that has a longer coordinate than most.
+#[cold]
+#[inline(never)]
+fn is_short<S: FixedPoint>(direction: Vec3<S>) -> bool {
+    let squares = bits(direction).map(|x| x.unsigned_abs() * x.unsigned_abs());
+    squares.into_iter().sum::<u64>() <= 1 << 62
 }
 
 /// The square of a length.

@@ -111,7 +111,7 @@ pub(super) enum Root {
 }
 
 /// Binary digits that approximate roots have beyond those of the grid.
-const GUARD: u32 = 16;
+pub(super) const GUARD: u32 = 16;
 
 impl<W: Integer> Quadratic<W> {
     /// The sign of the value at a fraction, and that of its derivative: each times a positive factor.
@@ -146,6 +146,7 @@ impl<W: Integer> Quadratic<W> {
     }
 
     /// Both roots on the grid of `fraction` bits, each rounded to nearest, halves upwards.
+    #[inline(never)] // in several places, and long
     pub(super) fn roots(&self, fraction: u32) -> [i32; 2] {
         // As in floating point: s/a and c/s with s = |b| + √D, where nothing cancels.
         let zero = W::from(0);

@@ -24,6 +24,6 @@ mod units;
 
 pub(super) use ball::ball;
 pub(super) use cone::{cone, conic};
-pub(super) use cylinder::{cylinder, open_cylinder};
+pub(super) use cylinder::{cylinder, cylinder as aligned_cylinder, open_cylinder};
 pub(super) use planes::{cuboid, half_spaces, planes};
 pub(super) use torus::{ready_torus, torus};

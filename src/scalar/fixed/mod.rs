@@ -18,7 +18,8 @@ use super::number::{Number, sealed::Sealed};
 use super::rebase::Rebased;
 use super::scalar::{FixedPoint, Formula, Inverse, Matrix, Roots, Scalar, Stretch};
 use crate::numeric::integer::{
-    divide, leading_zeros, narrow, normalized, reciprocal, rounded_to_i32, shift_right, sqrt,
+    divide, leading_zeros, narrow, normalized, quotient_by, reciprocal, root_with_40_digits,
+    rounded_to_i32, shift_right, sqrt,
 };
 use crate::numeric::{product, unsigned_product};
 use ::fixed::types::extra::{LeEqU32, U28};
@@ -302,12 +303,14 @@ impl<F: Fraction> Scalar for FixedI32<F> {
 
     fn with_length(vector: [Self; 3], length: Self) -> [Self; 3] {
         let bits = vector.map(Self::to_bits);
-        let square = u128::from(sum_of_squares(bits));
         // The vector's length has 20 more digits than it shows.
-        let long = (square << 40).isqrt().cast_signed();
+        let long = root_with_40_digits(sum_of_squares(bits));
+        let (mantissa, exponent) = normalized(long);
+        let inverse = reciprocal(mantissa);
         bits.map(|bits| {
-            let wide = i128::from(product(bits, length.to_bits())) << 20;
-            Self::from_bits(narrow(divide(wide, long) as i64))
+            let numerator = product(bits, length.to_bits());
+            let bits = if long == 0 { 0 } else { quotient_by(inverse, exponent, long, numerator) };
+            Self::from_bits(narrow(bits))
         })
     }
 
