@@ -9,6 +9,7 @@ mod counts;
 mod decode;
 mod elf;
 mod faults;
+mod hals;
 #[path = "../../examples/host/mod.rs"]
 mod host;
 mod layers;
@@ -22,6 +23,7 @@ mod python;
 mod report;
 #[path = "../../examples/scene/mod.rs"]
 mod scene;
+mod template;
 mod toolchain;
 mod web;
 

@@ -47,7 +47,7 @@ impl AsyncClock for Milliseconds {
 }
 
 #[embassy_executor::main]
-async fn main(_: Spawner) {
+async fn main(_spawner: Spawner) {
     let chip = embassy_nrf::init(Default::default());
     let mut config = Config::default();
     config.baudrate = embassy_nrf::uarte::Baudrate::Baud115200;
@@ -55,8 +55,17 @@ async fn main(_: Spawner) {
     // A serial port with buffers: a read that is dropped loses nothing. The timer and the channels count
     // what was received.
     let uart = BufferedUarte::new(
-        chip.UARTE0, chip.TIMER1, chip.PPI_CH0, chip.PPI_CH1, chip.PPI_GROUP0, chip.P0_08,
-        chip.P0_06, Interrupts, config, &mut received, &mut to_send,
+        chip.UARTE0,
+        chip.TIMER1,
+        chip.PPI_CH0,
+        chip.PPI_CH1,
+        chip.PPI_GROUP0,
+        chip.P0_08,
+        chip.P0_06,
+        Interrupts,
+        config,
+        &mut received,
+        &mut to_send,
     );
     // What fails here fails at every start: stop.
     let _ = send(uart).await;
@@ -72,10 +81,9 @@ async fn send(mut uart: BufferedUarte<'_>) -> Result<Infallible, scancsg::Error>
     let mut frame = 0;
     loop {
         // A frame that was not delivered is dropped, and the next one begins anew.
-        let _ = serve_async(
-            &mut picture, frame, &mut sender, &mut uart, &mut row, &mut Milliseconds,
-        )
-        .await;
+        let _ =
+            serve_async(&mut picture, frame, &mut sender, &mut uart, &mut row, &mut Milliseconds)
+                .await;
         frame = frame.wrapping_add(1);
     }
 }

@@ -50,7 +50,13 @@ fn run() -> Option<core::convert::Infallible> {
     let mut watchdog = hal::Watchdog::new(chip.WATCHDOG);
     let (xosc, resets) = (chip.XOSC, &mut chip.RESETS);
     let clocks = hal::clocks::init_clocks_and_plls(
-        CRYSTAL, xosc, chip.CLOCKS, chip.PLL_SYS, chip.PLL_USB, resets, &mut watchdog,
+        CRYSTAL,
+        xosc,
+        chip.CLOCKS,
+        chip.PLL_SYS,
+        chip.PLL_USB,
+        resets,
+        &mut watchdog,
     );
     let clocks = clocks.ok()?;
     let sio = hal::Sio::new(chip.SIO);

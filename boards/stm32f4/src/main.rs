@@ -46,12 +46,18 @@ impl AsyncClock for Milliseconds {
 }
 
 #[embassy_executor::main]
-async fn main(_: Spawner) {
+async fn main(_spawner: Spawner) {
     let chip = embassy_stm32::init(Default::default());
     let (mut to_send, mut received) = ([0; 256], [0; 64]);
     // A serial port with buffers: a read that is dropped loses nothing.
     let uart = BufferedUart::new(
-        chip.USART2, chip.PA3, chip.PA2, &mut to_send, &mut received, Interrupts, Config::default(),
+        chip.USART2,
+        chip.PA3,
+        chip.PA2,
+        &mut to_send,
+        &mut received,
+        Interrupts,
+        Config::default(),
     );
     // What fails here fails at every start: stop.
     let Ok(uart) = uart else { return };
@@ -68,10 +74,9 @@ async fn send(mut uart: BufferedUart<'_>) -> Result<Infallible, scancsg::Error> 
     let mut frame = 0;
     loop {
         // A frame that was not delivered is dropped, and the next one begins anew.
-        let _ = serve_async(
-            &mut picture, frame, &mut sender, &mut uart, &mut row, &mut Milliseconds,
-        )
-        .await;
+        let _ =
+            serve_async(&mut picture, frame, &mut sender, &mut uart, &mut row, &mut Milliseconds)
+                .await;
         frame = frame.wrapping_add(1);
     }
 }

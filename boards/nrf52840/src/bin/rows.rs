@@ -36,7 +36,7 @@ const HEIGHT: u16 = 120;
 const HEADER: &[u8; 15] = b"P5 160 120 255\n";
 
 #[embassy_executor::main]
-async fn main(_: Spawner) {
+async fn main(_spawner: Spawner) {
     let chip = embassy_nrf::init(Default::default());
     let mut config = Config::default();
     config.baudrate = Baudrate::Baud115200;
