@@ -4,15 +4,12 @@
 #![no_std]
 #![no_main]
 
-use embassy_executor::Spawner;
 use embassy_stm32::gpio::{Level, Output, Speed};
 use embassy_stm32::spi::{Config, Spi};
 use embassy_time::Delay;
 use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*};
 use embedded_hal_bus::spi::ExclusiveDevice;
-use mipidsi::{
-    Builder, interface::SpiInterface, models::ST7789, options::ColorInversion::Inverted,
-};
+use mipidsi::{Builder, interface::SpiInterface, models::ST7789, options::ColorInversion};
 use panic_halt as _;
 use scancsg::interop::embedded_graphics::draw;
 
@@ -52,7 +49,7 @@ mod part {
 }
 
 #[embassy_executor::main]
-async fn main(_spawner: Spawner) {
+async fn main(_spawner: embassy_executor::Spawner) {
     let chip = embassy_stm32::init(Default::default());
     let bus = Spi::new_blocking_txonly(chip.SPI1, chip.PA5, chip.PA7, Config::default());
     let select = Output::new(chip.PB6, Level::High, Speed::VeryHigh);
@@ -60,7 +57,7 @@ async fn main(_spawner: Spawner) {
     let Ok(device) = ExclusiveDevice::new_no_delay(bus, select) else { return };
     let mut bytes = [0; 480];
     let panel = Builder::new(ST7789, SpiInterface::new(device, is_data, &mut bytes));
-    let panel = panel.display_size(part::SIDE, part::SIDE).invert_colors(Inverted);
+    let panel = panel.display_size(part::SIDE, part::SIDE).invert_colors(ColorInversion::Inverted);
     let Ok(mut panel) = panel.init(&mut Delay) else { return };
     let Ok(mut picture) = part::picture() else { return };
     let (mut row, window) = ([Rgb565::BLACK; part::SIDE as usize], panel.bounding_box());
