@@ -54,7 +54,7 @@ fn main() -> ! {
 fn run() -> Option<()> {
     let chip = esp_hal::init(esp_hal::Config::default());
     let spi = Spi::new(chip.SPI2, Config::default().with_frequency(Rate::from_mhz(40))).ok()?;
-    let mut spi = spi.with_sck(chip.GPIO6).with_mosi(chip.GPIO7).with_dma(chip.DMA_CH0);
+    let mut spi = spi.with_sck(chip.GPIO6).with_mosi(chip.GPIO7);
     let mut is_data = Output::new(chip.GPIO10, Level::Low, OutputConfig::default());
     for (command, parameters, milliseconds) in START.into_iter().chain([(PIXELS, &[][..], 0)]) {
         is_data.set_low();
@@ -63,6 +63,8 @@ fn run() -> Option<()> {
         spi.write(parameters).ok()?;
         Delay::new().delay_millis(milliseconds);
     }
+    // Only now: DMA can't read from flash, where the commands are.
+    let spi = spi.with_dma(chip.DMA_CH0);
     let rows = [dma_tx_buffer!(ROW_BYTES).ok()?, dma_tx_buffer!(ROW_BYTES).ok()?];
 
     let camera = I16F16::orthographic().ok()?;
