@@ -55,7 +55,8 @@ async fn send(
     line: &mut UarteTx<'_>,
 ) -> Result<(), scancsg::Error> {
     let mut rows = [[[0]; WIDTH]; 2];
-    let [mut full, mut empty] = &mut rows;
+    let [one, other] = &mut rows;
+    let (mut full, mut empty) = (one, other);
     picture.render(0, full)?;
     for y in 1..HEIGHT {
         // The transfer begins, goes on during the rendering, and is waited for.

@@ -84,7 +84,8 @@ async fn show(
     display: &mut Display,
 ) -> Result<(), scancsg::Error> {
     let mut halves = [[[0; 2]; HALF as usize]; 2];
-    let [mut full, mut empty] = &mut halves;
+    let [one, other] = &mut halves;
+    let (mut full, mut empty) = (one, other);
     let mut ready = 0;
     if display.command(PIXELS, &[]).await.is_err() {
         return Ok(());

@@ -54,7 +54,7 @@ async fn main(_spawner: embassy_executor::Spawner) {
     let bus = Spi::new_blocking_txonly(chip.SPI1, chip.PA5, chip.PA7, Config::default());
     let select = Output::new(chip.PB6, Level::High, Speed::VeryHigh);
     let is_data = Output::new(chip.PC7, Level::Low, Speed::VeryHigh);
-    let Ok(device) = ExclusiveDevice::new_no_delay(bus, select) else { return };
+    let Ok(device) = ExclusiveDevice::new_no_delay(bus, select);
     let mut bytes = [0; 480];
     let panel = Builder::new(ST7789, SpiInterface::new(device, is_data, &mut bytes));
     let panel = panel.display_size(part::SIDE, part::SIDE).invert_colors(ColorInversion::Inverted);
