@@ -202,9 +202,7 @@ impl Toolchain {
             .current_dir(package)
             .args(["build", "--quiet", "--release"])
             .args(arguments)
-            .env("CARGO_TARGET_DIR", &folder)
-            // Only a debugger needs lines.
-            .env("CARGO_PROFILE_RELEASE_DEBUG", "0");
+            .env("CARGO_TARGET_DIR", &folder);
         output(&mut command)?;
         Ok(folder.join(target).join("release"))
     }
