@@ -21,6 +21,8 @@ if (!elf || !out) {
 
 const FLASH = 0x10000000;
 const VECTORS = FLASH + 0x100;
+// Of a cycle. DMA goes by the clock.
+const NANOSECONDS = 8;
 // A frame takes some forty million; what needs more hangs.
 const MOST = 400e6;
 
@@ -87,7 +89,7 @@ mcu.uart[0].onByte = (byte) => {
 let count = 0;
 const start = Date.now();
 for (; !done && count < MOST; count++) {
-  core.executeInstruction();
+  mcu.clock.tick(core.executeInstruction() * NANOSECONDS);
   if (answer.length > 0 && count % 2000 === 0) {
     mcu.uart[0].feedByte(answer.shift());
     acknowledged = answer.length === 0;

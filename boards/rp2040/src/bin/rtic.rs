@@ -16,7 +16,7 @@ use rp2040_hal as hal;
 
 use hal::Clock;
 use hal::dma::{
-    self, DMAExt,
+    self, DMAExt, SingleChannel,
     single_buffer::{Config, Transfer},
 };
 use hal::gpio::{
