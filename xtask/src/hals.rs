@@ -7,8 +7,9 @@ use crate::toolchain;
 use std::fs;
 use std::path::Path;
 
-/// Folders of `boards/`, and their targets. The step `pico` is about the other one.
-const BOARDS: [(&str, &str); 4] = [
+/// Folders of `boards/`, and their targets. The step `pico` boots the first.
+const BOARDS: [(&str, &str); 5] = [
+    ("rp2040", "thumbv6m-none-eabi"),
     ("rp2350", "thumbv8m.main-none-eabihf"),
     ("stm32f4", "thumbv7em-none-eabihf"),
     ("nrf52840", "thumbv7em-none-eabihf"),
@@ -22,7 +23,7 @@ pub fn check() -> Result<(), String> {
 }
 
 /// Builds the programs of a board.
-pub fn build(board: &str, target: &str) -> Result<(), String> {
+fn build(board: &str, target: &str) -> Result<(), String> {
     let package = root().join("boards").join(board);
     let built = toolchain::find(target)?.build_package(&package, target, &["--locked"])?;
     for program in programs(&package, board)? {
