@@ -202,7 +202,9 @@ impl Toolchain {
             .current_dir(package)
             .args(["build", "--quiet", "--release"])
             .args(arguments)
-            .env("CARGO_TARGET_DIR", &folder);
+            .env("CARGO_TARGET_DIR", &folder)
+            // Its pieces would be other programs, of other sizes.
+            .env("CARGO_INCREMENTAL", "0");
         output(&mut command)?;
         Ok(folder.join(target).join("release"))
     }
