@@ -32,13 +32,13 @@ const HALF: u16 = SIDE / 2;
 
 /// A display's command, its parameters, and how long it takes in milliseconds.
 const START: [(u8, &[u8], u64); 7] = [
-    (0x01, &[], 150),                          // reset
-    (0x11, &[], 120),                          // wake up
-    (0x3A, &[0x55], 0),                        // 16 bits a pixel
-    (0x21, &[], 0),                            // ST7789: colours are inverted. ILI9341: 0x20
-    (0x2A, &[0, 0, 0, HALF as u8 * 2 - 1], 0), // columns
-    (0x2B, &[0, 0, 0, HALF as u8 * 2 - 1], 0), // rows
-    (0x29, &[], 0),                            // on
+    (0x01, &[], 150),                      // reset
+    (0x11, &[], 120),                      // wake up
+    (0x3A, &[0x55], 0),                    // 16 bits a pixel
+    (0x21, &[], 0),                        // ST7789: colours are inverted. ILI9341: 0x20
+    (0x2A, &[0, 0, 0, SIDE as u8 - 1], 0), // columns
+    (0x2B, &[0, 0, 0, SIDE as u8 - 1], 0), // rows
+    (0x29, &[], 0),                        // on
 ];
 /// Pixels follow.
 const PIXELS: u8 = 0x2C;
