@@ -1,9 +1,11 @@
-// Boots the firmware in an emulator of the RP2040, acknowledges its first frame, and writes what came
-// through the serial port.
+// Boots a firmware in an emulator of the RP2040, and writes what came through the serial port: a frame, which
+// is acknowledged, or so many bytes.
 //
 //     npm install rp2040js
 //     node boot.mjs target/thumbv6m-none-eabi/release/rp2040 line.bin
 //     cargo run --release --example view -- --replay line.bin --out pico.png   # in the repository's root
+//
+//     node boot.mjs target/thumbv6m-none-eabi/release/rtic part.pgm 19215
 
 import fs from 'node:fs';
 import { createRequire } from 'node:module';
@@ -11,14 +13,16 @@ import zlib from 'node:zlib';
 
 const require = createRequire(process.env.NODE_MODULES_OF ?? import.meta.url);
 const { RP2040 } = require('rp2040js');
-const [elf, out] = process.argv.slice(2);
+const [elf, out, enough] = process.argv.slice(2);
 if (!elf || !out) {
-  console.error('usage: node boot.mjs FIRMWARE.elf LINE.bin');
+  console.error('usage: node boot.mjs FIRMWARE.elf LINE.bin [BYTES]');
   process.exit(2);
 }
 
 const FLASH = 0x10000000;
 const VECTORS = FLASH + 0x100;
+// Of a cycle. DMA goes by the clock.
+const NANOSECONDS = 8;
 // A frame takes some forty million; what needs more hangs.
 const MOST = 400e6;
 
@@ -69,6 +73,10 @@ let answer = [];
 let acknowledged = false;
 let done = false;
 mcu.uart[0].onByte = (byte) => {
+  if (enough) {
+    done = line.push(byte) >= enough;
+    return;
+  }
   if (acknowledged && byte !== 0) done = true; // the next frame begins
   line.push(byte);
   if (byte !== 0) return packet.push(byte);
@@ -81,7 +89,7 @@ mcu.uart[0].onByte = (byte) => {
 let count = 0;
 const start = Date.now();
 for (; !done && count < MOST; count++) {
-  core.executeInstruction();
+  mcu.clock.tick(core.executeInstruction() * NANOSECONDS);
   if (answer.length > 0 && count % 2000 === 0) {
     mcu.uart[0].feedByte(answer.shift());
     acknowledged = answer.length === 0;

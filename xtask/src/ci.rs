@@ -5,7 +5,7 @@ use crate::boards::{self, Boards};
 use crate::command::done;
 use crate::paths::root;
 use crate::toolchain::{self, has_program};
-use crate::{c, faults, layers, log, pico, python, web};
+use crate::{c, faults, hals, layers, log, pico, python, template, web};
 use std::fs;
 use std::process::Command;
 use std::time::Instant;
@@ -27,7 +27,7 @@ struct Step {
 }
 
 /// Quick ones first.
-const STEPS: [Step; 18] = [
+const STEPS: [Step; 20] = [
     Step { name: "format", what: "every file is formatted", run: format },
     Step { name: "layers", what: "files import downwards, and in no circle", run: layers },
     Step { name: "lints", what: "clippy, on all members and all features", run: lints },
@@ -56,6 +56,8 @@ const STEPS: [Step; 18] = [
         run: all_boards,
     },
     Step { name: "pico", what: "a Pico in another emulator has the host's picture", run: pico },
+    Step { name: "hals", what: "firmware of boards that people own builds", run: all_hals },
+    Step { name: "template", what: "a firmware of one's own has the host's rows", run: template },
     Step { name: "log", what: "firmware's log", run: logs },
     Step { name: "faults", what: "firmware on a line with faults", run: with_faults },
 ];
@@ -210,6 +212,16 @@ fn pico() -> Result<(), String> {
         .collect();
     install(&missing)?;
     pico::check()
+}
+
+fn all_hals() -> Result<(), String> {
+    ensure_board_tools()?;
+    hals::check()
+}
+
+fn template() -> Result<(), String> {
+    ensure_board_tools()?;
+    template::check()
 }
 
 fn page() -> Result<(), String> {

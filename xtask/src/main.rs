@@ -10,6 +10,7 @@ mod counts;
 mod decode;
 mod elf;
 mod faults;
+mod hals;
 #[path = "../../examples/host/mod.rs"]
 mod host;
 #[path = "../../tests/footprint/kinds.rs"]
@@ -31,6 +32,7 @@ mod report;
 mod scene;
 mod sent;
 mod sizes;
+mod template;
 mod toolchain;
 mod web;
 

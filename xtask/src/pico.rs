@@ -10,12 +10,17 @@ const TARGET: &str = "thumbv6m-none-eabi";
 /// The emulator.
 const EMULATOR: &str = "rp2040js@1.4.1";
 
-/// Builds `boards/rp2040`, boots it, receives its first frame, and compares that with the host's.
+/// Builds `boards/rp2040`, boots it, receives its first frame, and compares that with the host's. Does the same
+/// with the program that sends rows by DMA.
 pub fn check() -> Result<(), String> {
-    let firmware = toolchain::find(TARGET)?.build_package("rp2040", TARGET)?;
+    let package = root().join("boards/rp2040");
+    let firmware = toolchain::find(TARGET)?.build_package(&package, TARGET, &["--locked"])?;
     let folder = root().join("target/pico");
     fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     let path = |name: &str| folder.join(name);
+    let read = |name: &str| {
+        fs::read(path(name)).map_err(|error| format!("{}: {error}", path(name).display()))
+    };
     done(Command::new("npm").current_dir(&folder).args([
         "install",
         "--silent",
@@ -25,12 +30,16 @@ pub fn check() -> Result<(), String> {
         ".",
         EMULATOR,
     ]))?;
-    done(
-        Command::new("node")
+    let boot = |program: &str, out: &str, bytes: Option<usize>| {
+        let mut command = Command::new("node");
+        command
             .arg(root().join("boards/rp2040/boot.mjs"))
-            .args([&firmware, &path("line.bin")])
-            .env("NODE_MODULES_OF", path("node_modules")),
-    )?;
+            .args([firmware.join(program), path(out)])
+            .args(bytes.map(|bytes| bytes.to_string()))
+            .env("NODE_MODULES_OF", path("node_modules"));
+        done(&mut command)
+    };
+    boot("rp2040", "line.bin", None)?;
     let example = |name: &str| {
         let mut command = Command::new("cargo");
         let words = ["run", "--quiet", "--release", "--example", name, "--"];
@@ -39,12 +48,28 @@ pub fn check() -> Result<(), String> {
     };
     done(example("view").arg("--replay").arg(path("line.bin")).arg("--out").arg(path("pico.png")))?;
     done(example("stream").args(["--number", "i16f16", "--out"]).arg(path("host.png")))?;
-    let picture = |name: &str| {
-        fs::read(path(name)).map_err(|error| format!("{}: {error}", path(name).display()))
-    };
-    if picture("pico.png")? == picture("host.png")? {
+    let host = read("host.png")?;
+    if read("pico.png")? != host {
+        return Err("the emulated Pico's picture is not the host's".to_owned());
+    }
+    let pixels = pixels(&host)?;
+    boot("rtic", "rows.pgm", Some(HEADER.len() + pixels.len()))?;
+    if read("rows.pgm")?.strip_prefix(HEADER) == Some(&pixels) {
         Ok(())
     } else {
-        Err("the emulated Pico's picture is not the host's".to_owned())
+        Err("the rows that the emulated Pico sends by DMA are not the host's".to_owned())
     }
+}
+
+/// What the file of grey values begins with.
+const HEADER: &[u8] = b"P5 160 120 255\n";
+
+/// The pixels of a PNG file.
+fn pixels(file: &[u8]) -> Result<Vec<u8>, String> {
+    let text = |error: png::DecodingError| error.to_string();
+    let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().map_err(text)?;
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap_or(0)];
+    let info = reader.next_frame(&mut pixels).map_err(text)?;
+    pixels.truncate(info.buffer_size());
+    Ok(pixels)
 }

@@ -240,16 +240,25 @@ impl Toolchain {
         Ok(folder.join(target).join(PROFILE).join("libscancsg_capi.a"))
     }
 
-    /// Builds the firmware of a package that is a workspace of its own, in a folder of `boards/`.
-    pub fn build_package(&self, name: &str, target: &str) -> Result<PathBuf, String> {
-        let folder = root().join("target/boards").join(name);
+    /// Builds the firmware of a package that is a workspace of its own. The folder that it is in.
+    pub fn build_package(
+        &self,
+        package: &Path,
+        target: &str,
+        arguments: &[&str],
+    ) -> Result<PathBuf, String> {
+        // One folder for all: crates that several of them need are compiled once.
+        let folder = root().join("target/boards/hals");
         let mut command = self.cargo(target, "");
         command
-            .current_dir(root().join("boards").join(name))
-            .args(["build", "--quiet", "--release", "--locked"])
-            .env("CARGO_TARGET_DIR", &folder);
+            .current_dir(package)
+            .args(["build", "--quiet", "--release"])
+            .args(arguments)
+            .env("CARGO_TARGET_DIR", &folder)
+            // Its pieces would be other programs, of other sizes.
+            .env("CARGO_INCREMENTAL", "0");
         output(&mut command)?;
-        Ok(folder.join(target).join("release").join(name))
+        Ok(folder.join(target).join("release"))
     }
 
     /// A command of cargo's that uses this compiler, with flags besides.

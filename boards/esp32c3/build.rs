@@ -1,0 +1,5 @@
+//! The memory map is the HAL's.
+
+fn main() {
+    println!("cargo:rustc-link-arg-bins=-Tlinkall.x");
+}

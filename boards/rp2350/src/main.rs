@@ -1,0 +1,82 @@
+//! A picture through the serial port of a Raspberry Pi Pico 2: GPIO 0 sends, GPIO 1 receives, 115,200 baud.
+//!
+//! On the host: `cargo run --release --example view -- --port /dev/ttyUSB0`.
+
+#![no_std]
+#![no_main]
+
+use panic_halt as _;
+use rp235x_hal as hal;
+
+use hal::Clock;
+use hal::uart::{UartConfig, UartPeripheral};
+use scancsg::render::{Gray8, Lambert, Picture, Size};
+use scancsg::stream::{Looks, Patience, Predictive, Sender, serve};
+use scene::{Scene, Tee};
+
+/// The part and its camera: put your own here.
+#[path = "../../../examples/scene/mod.rs"]
+mod scene;
+
+/// What the chip's boot loader looks for: a program for its Arm cores.
+#[unsafe(link_section = ".start_block")]
+#[used]
+static IMAGE: hal::block::ImageDef = hal::block::ImageDef::secure_exe();
+
+/// The crystal of the board, in hertz.
+const CRYSTAL: u32 = 12_000_000;
+
+// The core has floating point of its own.
+static TEE: Tee<f32> = f32::TEE;
+
+const WIDTH: usize = 160;
+const HEIGHT: u16 = 120;
+/// Looks at the line that find nothing: about a second, and three of them.
+const PATIENCE: Patience = Patience { ticks: 2_000_000, silences: 3 };
+
+#[hal::entry]
+fn main() -> ! {
+    // What fails here fails at every start: stop.
+    let Some(never) = run() else {
+        loop {
+            core::hint::spin_loop();
+        }
+    };
+    match never {}
+}
+
+fn run() -> Option<core::convert::Infallible> {
+    let mut chip = hal::pac::Peripherals::take()?;
+    let mut watchdog = hal::Watchdog::new(chip.WATCHDOG);
+    let (xosc, resets) = (chip.XOSC, &mut chip.RESETS);
+    let clocks = hal::clocks::init_clocks_and_plls(
+        CRYSTAL,
+        xosc,
+        chip.CLOCKS,
+        chip.PLL_SYS,
+        chip.PLL_USB,
+        resets,
+        &mut watchdog,
+    );
+    let clocks = clocks.ok()?;
+    let sio = hal::Sio::new(chip.SIO);
+    let pins = hal::gpio::Pins::new(chip.IO_BANK0, chip.PADS_BANK0, sio.gpio_bank0, resets);
+    let pins = (pins.gpio0.into_function(), pins.gpio1.into_function());
+    // 115,200 baud, 8 bits, no parity, one stop bit.
+    let config = UartConfig::default();
+    let uart = UartPeripheral::new(chip.UART0, pins, resets);
+    let mut uart = uart.enable(config, clocks.peripheral_clock.freq()).ok()?;
+
+    let camera = f32::orthographic().ok()?;
+    let light = Lambert::new(f32::TO_LIGHT, f32::hundredths(15)).ok()?;
+    let size = Size::new(WIDTH as u16, HEIGHT).ok()?;
+    let mut picture = Picture::new(&TEE, &camera, size, light, Gray8(0));
+    let mut row = [Gray8(0); WIDTH];
+    let mut sender = Sender::<_, 256>::new(Predictive::<Gray8, WIDTH>::new(), PATIENCE);
+    let mut frame = 0;
+    loop {
+        // A frame that was not delivered is dropped, and the next one begins anew.
+        let _ = serve(&mut picture, frame, &mut sender, &mut uart, &mut row, &mut Looks::new());
+        frame = frame.wrapping_add(1);
+    }
+}
