@@ -5,7 +5,7 @@ use crate::boards::{self, Boards};
 use crate::command::done;
 use crate::paths::root;
 use crate::toolchain::{self, has_program};
-use crate::{faults, layers, log, pico, python, web};
+use crate::{device, faults, layers, log, pico, python, web};
 use std::fs;
 use std::process::Command;
 use std::time::Instant;
@@ -27,7 +27,7 @@ struct Step {
 }
 
 /// Quick ones first.
-const STEPS: [Step; 17] = [
+const STEPS: [Step; 18] = [
     Step { name: "format", what: "every file is formatted", run: format },
     Step { name: "layers", what: "files import downwards, and in no circle", run: layers },
     Step { name: "lints", what: "clippy, on all members and all features", run: lints },
@@ -54,6 +54,7 @@ const STEPS: [Step; 17] = [
         what: "firmware on five boards: pictures, sizes, instructions",
         run: all_boards,
     },
+    Step { name: "device", what: "parts sent to firmware, and its pictures of them", run: parts },
     Step { name: "pico", what: "a Pico in another emulator has the host's picture", run: pico },
     Step { name: "log", what: "firmware's log", run: logs },
     Step { name: "faults", what: "firmware on a line with faults", run: with_faults },
@@ -226,6 +227,11 @@ fn page() -> Result<(), String> {
 fn all_boards() -> Result<(), String> {
     ensure_board_tools()?;
     boards::measure(&Boards::default())
+}
+
+fn parts() -> Result<(), String> {
+    ensure_board_tools()?;
+    device::check(&device::SHORT)
 }
 
 fn logs() -> Result<(), String> {

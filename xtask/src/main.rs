@@ -7,6 +7,7 @@ mod ci;
 mod command;
 mod counts;
 mod decode;
+mod device;
 mod elf;
 mod faults;
 #[path = "../../examples/host/mod.rs"]
@@ -49,6 +50,13 @@ enum Chore {
 
     /// Do to firmware what goes wrong on serial lines: garbage, a reset, nobody who reads
     Faults(Chosen),
+
+    /// Send parts to firmware that waits for them, and compare its pictures with the host's
+    Device {
+        /// All boards in both number types, and not only the two that `ci` checks
+        #[arg(long)]
+        all: bool,
+    },
 
     /// Count where the instructions of a part of the example `bench` go
     Profile(profile::Profile),
@@ -98,6 +106,11 @@ fn main() -> ExitCode {
             chosen.boards().iter().try_for_each(|board| log::check(*board, chosen.number))
         }
         Chore::Faults(chosen) => faults::check(chosen.boards(), chosen.number),
+        Chore::Device { all: false } => device::check(&device::SHORT),
+        Chore::Device { all: true } => {
+            let of = |board: Board| Number::ALL.map(|number| (board, number));
+            Board::ALL.into_iter().try_for_each(|board| device::check(&of(board)))
+        }
         Chore::Profile(chosen) => profile::show(&chosen),
         Chore::Web(chosen) => web::run(&chosen),
         Chore::Python => python::check(),
