@@ -264,11 +264,16 @@ impl<'m, P: Port> Session<'m, P> {
         }
     }
 
-    /// Sends an upload. The frame that answers it comes next.
-    pub fn upload(&mut self, upload: &mut Upload<'_>) -> Result<Outcome, String> {
+    /// Sends an upload. The frame that answers it comes next. `go_on` hears how many bytes are there, and says
+    /// whether to go on.
+    pub fn upload(
+        &mut self,
+        upload: &mut Upload<'_>,
+        mut go_on: impl FnMut(usize) -> bool,
+    ) -> Result<Outcome, String> {
         self.buffer.clear();
         self.taken = 0;
-        loop {
+        while go_on(upload.delivered()) {
             let now = self.start.elapsed().as_millis() as u32;
             let wait = match upload.poll(now) {
                 UploadTask::Send(packet) => {
@@ -297,6 +302,7 @@ impl<'m, P: Port> Session<'m, P> {
                 Heard::Closed => return Err("the line is closed at its other end".into()),
             }
         }
+        Err("stopped before all was sent".into())
     }
 
     /// Receives the next frame; `watch` sees it grow. `None` if the line closes before one begins,

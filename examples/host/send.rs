@@ -10,7 +10,7 @@ const BUSY: u32 = 30_000;
 /// So long is waited for rows.
 const FRAME_WAIT: Duration = Duration::from_secs(30);
 /// A device that falls silent in the middle of its picture gets the part again: it may have been reset.
-const ATTEMPTS: u8 = 3;
+pub const ATTEMPTS: u8 = 3;
 
 /// How long answers are waited for, in milliseconds, on a line of so many bits per second.
 fn patience(baud: Option<u32>) -> Patience {
@@ -21,21 +21,23 @@ fn patience(baud: Option<u32>) -> Patience {
 /// Asks a device what it takes.
 pub fn ask<P: Port>(session: &mut Session<'_, P>, baud: Option<u32>) -> Result<Device, String> {
     let mut question = Upload::new(&[], patience(baud));
-    session.upload(&mut question)?;
+    session.upload(&mut question, |_| true)?;
     question.device().ok_or_else(|| UNHEARD.into())
 }
 
-/// Sends a part. Its picture comes next: [`Session::frame`].
+/// Sends a part. Its picture comes next: [`Session::frame`]. `go_on` hears how many bytes are there, and says whether
+/// to go on.
 pub fn send<P: Port>(
     session: &mut Session<'_, P>,
     part: &[u8],
     baud: Option<u32>,
+    go_on: impl FnMut(usize) -> bool,
 ) -> Result<(), String> {
     if part.is_empty() {
         return Err("there are no bytes to send".into());
     }
     let mut upload = Upload::new(part, patience(baud));
-    match (session.upload(&mut upload)?, upload.device()) {
+    match (session.upload(&mut upload, go_on)?, upload.device()) {
         (Outcome::Taken, _) => Ok(()),
         (Outcome::Refused(why), None) => Err(format!("the part can't be sent: {why}")),
         (Outcome::Refused(why), Some(device)) => Err(format!(
@@ -61,7 +63,7 @@ pub fn picture<P: Port>(
 ) -> Result<Frame, String> {
     let mut problem = None;
     for _ in 0..ATTEMPTS {
-        send(session, part, baud)?;
+        send(session, part, baud, |_| true)?;
         match session.frame(FRAME_WAIT, &mut watch) {
             Some(frame) if frame.problem().is_none() => return Ok(frame),
             frame => problem = frame.and_then(|frame| frame.problem()),
