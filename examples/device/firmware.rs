@@ -47,7 +47,7 @@ fn show(
     line: &mut (impl Read + ReadReady + Write),
 ) -> Option<&'static str> {
     let fit = Fit::of(&part.bounds())?;
-    let camera = fit.orthographic().ok()?;
+    let camera = fit.orthographic(None).ok()?;
     let light = Lambert::new(Fit::to_light(), Number::hundredths(15)).ok()?;
     let size = Size::new(WIDTH, HEIGHT).ok()?;
     let mut picture = Picture::new(part, &camera, size, light, Gray8(0));

@@ -36,14 +36,15 @@ impl<S: Scene> Fit<S> {
         Vec3::from([-16, -48, 87].map(S::hundredths))
     }
 
-    /// The camera without perspective. It shows the ball, and a bit more.
-    pub fn orthographic(&self) -> Result<Orthographic<S>, CameraError> {
-        Orthographic::look_along(Self::along(), self.middle, Self::up(), self.times(210))
+    /// The camera without perspective, from an eye or from where it usually is. It shows the ball, and a bit more.
+    pub fn orthographic(&self, eye: Option<Vec3<S>>) -> Result<Orthographic<S>, CameraError> {
+        let along = eye.map_or_else(Self::along, |eye| self.middle - eye);
+        Orthographic::look_along(along, self.middle, Self::up(), self.times(210))
     }
 
-    /// The camera with perspective, from 4.3 radii away, which shows as much.
-    pub fn perspective(&self) -> Result<Perspective<S>, CameraError> {
-        let eye = self.middle - Self::along() * self.times(430);
+    /// The camera with perspective, which shows as much from 4.3 radii away.
+    pub fn perspective(&self, eye: Option<Vec3<S>>) -> Result<Perspective<S>, CameraError> {
+        let eye = eye.unwrap_or_else(|| self.middle - Self::along() * self.times(430));
         Perspective::look_at(eye, self.middle, Self::up(), S::hundredths(49))
     }
 }

@@ -116,7 +116,7 @@ where
     let text = |error: &dyn std::fmt::Display| error.to_string();
     let program = program.as_ref().ok_or("the part can't be made")?;
     let fit = Fit::of(&program.bounds()).ok_or("the part has no end")?;
-    let camera = fit.orthographic().map_err(|error| text(&error))?;
+    let camera = fit.orthographic(None).map_err(|error| text(&error))?;
     let light = Lambert::new(Fit::to_light(), S::hundredths(15)).map_err(|error| text(&error))?;
     let size = Size::new(160, 120).map_err(|error| text(&error))?;
     let mut picture = Picture::new(program, &camera, size, light, Gray8(0));
