@@ -57,3 +57,13 @@ fn receiver() {
 fn sender() {
     hold("sender", 1_000, 500, hostile::sender);
 }
+
+#[test]
+fn inbox() {
+    hold("inbox", 1_000, 900, hostile::inbox);
+}
+
+#[test]
+fn upload() {
+    hold("upload", 1_000, 500, hostile::upload);
+}
