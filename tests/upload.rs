@@ -2,12 +2,14 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
+use embedded_io::{ErrorKind, ErrorType, Read, ReadReady, Write};
 use scancsg::program::BytesError;
 use scancsg::render::{Gray8, Palette};
 use scancsg::stream::faults::{Faults, Line};
 use scancsg::stream::{
-    Delivery, Device, Event, FrameHeader, Inbox, Memory, Outcome, Patience, PixelFormat, Plain,
-    Receiver, Refusal, Sender, Task, Timing, Upload, UploadTask, packet_capacity,
+    Delivery, Device, Event, FrameHeader, Inbox, Looks, Memory, Outcome, Patience, PixelFormat,
+    Plain, Receiver, Refusal, Sender, ServeError, Task, Timing, Upload, UploadTask, encode_ack,
+    packet_capacity, take,
 };
 use std::collections::VecDeque;
 use testkit::random::Random;
@@ -248,7 +250,9 @@ fn a_part_goes_there_and_its_picture_comes_back() {
     assert_eq!(machine.frame, LENGTHS.len() as u16);
     // What the device handed over is gone: the same part again is sent again, and pictured again.
     let same = part(1, ROOM);
+    let before = world.there.counts().packets;
     world.picture(&mut machine, &same);
+    assert_eq!(world.there.counts().packets - before, ROOM.div_ceil(240) as u64 + 2);
     assert_eq!(machine.frame, LENGTHS.len() as u16 + 1);
 }
 
@@ -359,6 +363,195 @@ fn what_is_wrong_with_a_program_is_what_the_device_says() {
     ] {
         assert_eq!(Refusal::from(error), refusal);
     }
+}
+
+/// The packet that an upload sends now.
+fn packet(upload: &mut Upload<'_>) -> Vec<u8> {
+    match upload.poll(0) {
+        UploadTask::Send(bytes) => {
+            let bytes = bytes.to_vec();
+            upload.sent(0);
+            bytes
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+/// The inbox gets a packet. Its answer, and how often it hands something over.
+fn answer(inbox: &mut Inbox<'_>, packet: &[u8]) -> (Vec<u8>, usize) {
+    let given = packet.iter().filter(|byte| inbox.receive(**byte)).count();
+    (inbox.answer().unwrap_or_default().to_vec(), given)
+}
+
+fn hear(upload: &mut Upload<'_>, answer: &[u8]) {
+    answer.iter().for_each(|byte| upload.receive(*byte, 0));
+}
+
+/// All packets of an upload, from an inbox of its own.
+fn packets(part: &[u8]) -> Vec<Vec<u8>> {
+    let mut memory = [0; ROOM];
+    let (mut inbox, mut upload) = (Inbox::new(&mut memory, 0), Upload::new(part, HOST));
+    let mut packets = Vec::new();
+    loop {
+        let next = packet(&mut upload);
+        let (said, given) = answer(&mut inbox, &next);
+        packets.push(next);
+        if given > 0 {
+            return packets;
+        }
+        hear(&mut upload, &said);
+    }
+}
+
+#[test]
+fn chunks_in_any_order_and_of_other_uploads_do_no_harm() {
+    let (ours, other) = (part(1, 700), part(2, 700));
+    let [first, second, third, last] = &packets(&ours)[..] else { panic!("not four packets") };
+    let others = packets(&other);
+    let mut memory = [0; ROOM];
+    let mut inbox = Inbox::new(&mut memory, 0);
+    let mut take = |packet: &[u8]| answer(&mut inbox, packet).1;
+    // Late ones of another upload, those that come too early, and those that come again.
+    for packet in [first, &others[1], third, second, last, first, &others[2], &others[3], second] {
+        assert_eq!(take(packet), 0);
+    }
+    assert_eq!((take(third), take(last)), (0, 1));
+    // It is handed over once.
+    assert_eq!((take(last), take(third), take(last)), (0, 0, 0));
+    assert_eq!(inbox.bytes(), ours);
+    // The start of another one ends what was there.
+    assert_eq!(others.iter().map(|packet| answer(&mut inbox, packet).1).sum::<usize>(), 1);
+    assert_eq!(inbox.bytes(), other);
+}
+
+#[test]
+fn an_answer_that_comes_twice_is_heard_once() {
+    let part = part(1, 700);
+    let mut memory = [0; ROOM];
+    let (mut inbox, mut upload) = (Inbox::new(&mut memory, 0), Upload::new(&part, HOST));
+    let (first, _) = answer(&mut inbox, &packet(&mut upload));
+    hear(&mut upload, &first);
+    let (second, _) = answer(&mut inbox, &packet(&mut upload));
+    hear(&mut upload, &first);
+    assert_eq!(upload.poll(0), UploadTask::Listen(HOST.ticks));
+    hear(&mut upload, &second);
+    let third = packet(&mut upload);
+    assert_eq!(upload.delivered(), 480);
+    for _ in 0..9 {
+        hear(&mut upload, &second);
+        assert_eq!(upload.poll(0), UploadTask::Listen(HOST.ticks));
+    }
+    // An earlier one is heard: the device may have been reset. It costs a packet, and no more.
+    hear(&mut upload, &first);
+    let (again, _) = answer(&mut inbox, &packet(&mut upload));
+    assert_eq!(again, second);
+    hear(&mut upload, &again);
+    assert_eq!(packet(&mut upload), third);
+}
+
+#[test]
+fn a_frame_is_the_answer_to_a_whole_upload_only() {
+    let part = part(1, 300);
+    let (format, palette) = (PixelFormat::Gray8, Palette::EMPTY);
+    let header = FrameHeader { frame: 3, width: WIDTH, height: HEIGHT, format, palette };
+    let mut frame = [0; 64];
+    let length = scancsg::stream::encode_header(header, &mut frame).unwrap();
+    let frame = &frame[..length];
+    let mut memory = [0; ROOM];
+    let (mut inbox, mut upload) = (Inbox::new(&mut memory, 0), Upload::new(&part, HOST));
+    // Until all bytes are there, frames are earlier ones.
+    let (first, _) = answer(&mut inbox, &packet(&mut upload));
+    hear(&mut upload, frame);
+    hear(&mut upload, &first);
+    let (second, _) = answer(&mut inbox, &packet(&mut upload));
+    hear(&mut upload, frame);
+    hear(&mut upload, &second);
+    hear(&mut upload, frame);
+    assert_eq!(answer(&mut inbox, &packet(&mut upload)).1, 1);
+    // A late answer comes before the frame.
+    hear(&mut upload, &first);
+    packet(&mut upload);
+    // What this end says itself, as an echo, is no frame.
+    let mut ack = [0; 16];
+    let length = encode_ack(3, &mut ack).unwrap();
+    hear(&mut upload, &ack[..length]);
+    assert_eq!(upload.poll(0), UploadTask::Listen(HOST.ticks));
+    hear(&mut upload, frame);
+    assert_eq!(upload.poll(0), UploadTask::Done(Outcome::Taken));
+    assert_eq!(upload.delivered(), 300);
+    hear(&mut upload, &first);
+    assert_eq!(upload.poll(0), UploadTask::Done(Outcome::Taken));
+    assert_eq!(upload.delivered(), 300);
+}
+
+/// A serial port in memory, which says what it gets. It closes, or fails, behind the last byte.
+struct Port {
+    incoming: VecDeque<u8>,
+    written: Vec<u8>,
+    flushed: usize,
+    end: Result<(), ErrorKind>,
+}
+
+impl ErrorType for Port {
+    type Error = ErrorKind;
+}
+
+impl Read for Port {
+    fn read(&mut self, bytes: &mut [u8]) -> Result<usize, ErrorKind> {
+        match self.incoming.pop_front() {
+            Some(byte) => {
+                bytes[0] = byte;
+                Ok(1)
+            }
+            None => self.end.map(|()| 0),
+        }
+    }
+}
+
+impl ReadReady for Port {
+    fn read_ready(&mut self) -> Result<bool, ErrorKind> {
+        Ok(true)
+    }
+}
+
+impl Write for Port {
+    fn write(&mut self, bytes: &[u8]) -> Result<usize, ErrorKind> {
+        // A byte at a time, as a serial port takes them.
+        self.written.push(bytes[0]);
+        Ok(1)
+    }
+
+    fn flush(&mut self) -> Result<(), ErrorKind> {
+        self.flushed = self.written.len();
+        Ok(())
+    }
+}
+
+#[test]
+fn the_loop_of_a_device_answers_and_returns_what_is_whole() {
+    let part = part(1, 300);
+    let mut memory = [0; ROOM];
+    let mut wanted = Vec::new();
+    let mut inbox = Inbox::new(&mut memory, 0);
+    let packets = packets(&part);
+    packets.iter().for_each(|packet| wanted.extend(answer(&mut inbox, packet).0));
+    assert!(!wanted.is_empty());
+
+    let incoming = packets.concat().into();
+    let mut port = Port { incoming, written: Vec::new(), flushed: 0, end: Ok(()) };
+    let mut memory = [0; ROOM];
+    let mut inbox = Inbox::new(&mut memory, 0);
+    assert_eq!(take(&mut inbox, &mut port, &mut Looks::new()).unwrap(), part);
+    assert_eq!((port.flushed, &port.written), (wanted.len(), &wanted));
+    // A refusal is said by the next call. Then the line has no more.
+    inbox.refuse(Refusal::Kind);
+    assert_eq!(take(&mut inbox, &mut port, &mut Looks::new()), Err(ServeError::Closed));
+    let mut upload = Upload::new(&part, HOST);
+    hear(&mut upload, &port.written[wanted.len()..]);
+    assert_eq!(upload.poll(0), UploadTask::Done(Outcome::Refused(Refusal::Kind)));
+    port.end = Err(ErrorKind::TimedOut);
+    let failure = ServeError::Read(ErrorKind::TimedOut);
+    assert_eq!(take(&mut inbox, &mut port, &mut Looks::new()), Err(failure));
 }
 
 /// Nobody is there: so many times is a chunk sent, each time shorter, and no more.

@@ -448,37 +448,45 @@ pub fn inbox(bytes: &[u8]) {
     let uploads =
         [1, 5, 40, 290].map(|length: u16| (0..length).map(|i| (i / 3) as u8).collect::<Vec<_>>());
     while !script.0.is_empty() {
-        let packet = match script.byte() % 8 {
+        let content = match script.byte() % 8 {
             0 => {
                 let count = script.byte().into();
-                script.take(count).to_vec()
+                let noise = script.take(count);
+                assert!(noise.iter().all(|byte| !inbox.receive(*byte)));
+                continue;
             }
             1 => {
                 let kind = script.byte();
                 let count = script.byte().into();
-                sealed(&[&[kind], script.take(count)].concat())
+                [&[kind], script.take(count)].concat()
             }
             // A chunk that says anything of itself.
             2 => {
                 let count = script.byte().into();
-                sealed(&[&[0x83], script.take(9), script.take(count)].concat())
+                [&[0x83], script.take(8), script.take(count)].concat()
             }
             which => {
                 let upload = &uploads[usize::from(which) % 4];
-                let most = upload.len() + 1;
-                let start = usize::from(script.word()) % most;
+                let start = usize::from(script.word()) % (upload.len() + 1);
                 let end = (start + usize::from(script.byte())).min(upload.len());
-                let (length, hash) =
-                    (upload.len() as u16, crc(upload) ^ u32::from(script.byte() / 250));
-                let fields =
-                    [&length.to_le_bytes()[..], &hash.to_le_bytes(), &(start as u16).to_le_bytes()];
-                sealed(&[&[0x83], &fields.concat()[..], &upload[start..end]].concat())
+                let wrong = u32::from(script.byte() % 4 == 0);
+                let (length, hash) = (upload.len() as u16, crc(upload) ^ wrong);
+                let mut content = vec![0x83];
+                content.extend(length.to_le_bytes());
+                content.extend(hash.to_le_bytes());
+                content.extend((start as u16).to_le_bytes());
+                content.extend(&upload[start..end]);
+                content
             }
         };
-        for byte in packet {
+        for byte in sealed(&content) {
             if inbox.receive(byte) {
                 let given = inbox.bytes();
-                assert!(!given.is_empty() && given.len() <= room);
+                assert!(!given.is_empty() && given.len() <= room && content.len() == 9);
+                // Length, hash and offset.
+                assert_eq!(content[1..3], (given.len() as u16).to_le_bytes());
+                assert_eq!(content[3..7], crc(given).to_le_bytes());
+                assert_eq!(content[7..9], content[1..3]);
                 if script.byte() % 2 == 0 {
                     inbox.refuse(Refusal::Invalid);
                 }
