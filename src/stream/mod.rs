@@ -13,7 +13,7 @@
 //! | code rows short | [`Predictive`]: a quarter of the bytes of [`Plain`] |
 //! | send with the least memory and time | [`Plain`] |
 //! | send your own pixels | [`WirePixel`] |
-//! | send a part to a device, which answers with its picture | [`Upload`]; on the device [`take`] |
+//! | send a part to a device, which answers with its picture | [`Upload`]; on the device [`take`]; `take_async` |
 //!
 //! # Format
 //!
@@ -93,7 +93,7 @@ pub use receiver::{Receiver, Timing, Traffic};
 pub use sender::{Delivery, Patience, Sender, Task};
 pub use serve::serve;
 #[cfg(feature = "async")]
-pub use serve_async::{receive_async, serve_async};
+pub use serve_async::{receive_async, serve_async, take_async};
 pub use serve_error::ServeError;
 pub use upload::{Device, Inbox, Outcome, Refusal, Upload, UploadTask, take};
 pub use wire::{
