@@ -131,7 +131,7 @@ impl World {
     /// A tick in which the host says this byte. What it hears.
     fn tick(&mut self, machine: &mut Machine<'_>, said: Option<u8>) -> Vec<u8> {
         self.now += 1;
-        if self.reset.is_some_and(|every| self.now % every == 0) {
+        if self.reset.is_some_and(|every| self.now.is_multiple_of(every)) {
             let reset = Sender::new(Plain, DEVICE);
             (machine.sender, machine.part, machine.frame) = (reset, None, 0);
             machine.writing.clear();

@@ -1,4 +1,7 @@
 //! Sending a part to a device that answers with its picture.
+//!
+//! A tool opens a port ([`port::open`](super::port::open)), makes a [`Session`] of it with a
+//! [`Room`](super::receive::Room), and calls [`picture`]. [`ask`] says beforehand what the device takes.
 
 use super::port::Port;
 use super::receive::{Frame, Session};
