@@ -95,11 +95,11 @@ where
     drop(session);
     // It waits for the next part: nothing ends it but the emulator's end.
     let (said, _) = machine.finish(Duration::ZERO);
-    let stacks = said.lines().filter_map(|line| {
+    let mut stacks = said.lines().filter_map(|line| {
         let (stack, room) = line.strip_prefix("stack ")?.split_once(" of ")?;
         Some((stack.parse::<u32>().ok()?, room.parse::<u32>().ok()?))
     });
-    match stacks.last() {
+    match stacks.next_back() {
         Some((stack, room)) if stack < room => Ok(stack),
         Some((_, room)) => Err(format!("the stack fills all of its {room} bytes")),
         None => Err(format!("the firmware doesn't say what its stack takes: {said}")),
