@@ -53,9 +53,9 @@ enum Chore {
 
     /// Send parts to firmware that waits for them, and compare its pictures with the host's
     Device {
-        /// All boards in both number types, and not only the two that `ci` checks
+        /// This board, in both number types; may be given several times [default: microbit in i16f16, an386 in f32]
         #[arg(long)]
-        all: bool,
+        board: Vec<Board>,
     },
 
     /// Count where the instructions of a part of the example `bench` go
@@ -106,11 +106,10 @@ fn main() -> ExitCode {
             chosen.boards().iter().try_for_each(|board| log::check(*board, chosen.number))
         }
         Chore::Faults(chosen) => faults::check(chosen.boards(), chosen.number),
-        Chore::Device { all: false } => device::check(&device::SHORT),
-        Chore::Device { all: true } => {
-            let of = |board: Board| Number::ALL.map(|number| (board, number));
-            Board::ALL.into_iter().try_for_each(|board| device::check(&of(board)))
-        }
+        Chore::Device { board } if board.is_empty() => device::check(&device::SHORT),
+        Chore::Device { board } => board
+            .iter()
+            .try_for_each(|board| device::check(&Number::ALL.map(|number| (*board, number)))),
         Chore::Profile(chosen) => profile::show(&chosen),
         Chore::Web(chosen) => web::run(&chosen),
         Chore::Python => python::check(),
