@@ -15,7 +15,7 @@ use scancsg::solid::{
     RayCast, Rgb, Shape, Slab, SlabError, Sphere, SphereError, Union,
 };
 use scancsg::span::SpanList;
-use scancsg::stream::{EncodeError, PacketError, ReceiveError, ServeError, UnpackError};
+use scancsg::stream::{EncodeError, PacketError, ReceiveError, Refusal, ServeError, UnpackError};
 use std::collections::HashSet;
 
 #[test]
@@ -213,6 +213,7 @@ fn every_error_of_the_link_has_a_text_of_its_own() {
         ServeError::Encode(EncodeError::Width),
         ServeError::Render(RowError::Length),
     ]);
+    check(&[Refusal::TooLong, Refusal::Number, Refusal::Kind, Refusal::TooLarge, Refusal::Invalid]);
     // What is inside another error says its own words.
     for error in unpack {
         assert_eq!(ReceiveError::Payload(error).as_str(), error.as_str());

@@ -63,3 +63,13 @@ fn sender() {
 fn program() {
     hold("program", 2_000, 200, hostile::program);
 }
+
+#[test]
+fn inbox() {
+    hold("inbox", 1_000, 900, hostile::inbox);
+}
+
+#[test]
+fn upload() {
+    hold("upload", 1_000, 500, hostile::upload);
+}

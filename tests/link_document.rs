@@ -7,9 +7,9 @@ use std::process::{Command, Stdio};
 
 use scancsg::render::{Gray8, Palette, Pixel, Rgb, Rgb565};
 use scancsg::stream::{
-    Decoder, FrameHash, FrameHeader, Part, Patience, PixelFormat, Plain, Predictive, Request,
-    RowCoding, RowHash, Sender, Task, Wire, WirePixel, encode_ack, encode_end, encode_header,
-    encode_request, encode_row,
+    Decoder, FrameHash, FrameHeader, Inbox, Part, Patience, PixelFormat, Plain, Predictive,
+    Request, RowCoding, RowHash, Sender, Task, Upload, UploadTask, Wire, WirePixel, encode_ack,
+    encode_end, encode_header, encode_request, encode_row,
 };
 
 const DOCUMENT: &str = include_str!("../docs/link.md");
@@ -59,6 +59,37 @@ fn packets_are_as_documented() {
     let part = Part::Rows { y: 7, count: 2, limit: 127 };
     check("request", |buffer| encode_request(Request { frame: 1, part }, buffer).unwrap());
     check("ack", |buffer| encode_ack(1, buffer).unwrap());
+}
+
+/// Both ends of an upload say the document's bytes, one after the other.
+#[test]
+fn uploads_are_as_documented() {
+    let patience = Patience { ticks: 9, silences: 9 };
+    let sends = |upload: &mut Upload<'_>| match upload.poll(0) {
+        UploadTask::Send(packet) => {
+            let packet = hex(packet);
+            upload.sent(0);
+            packet
+        }
+        other => panic!("{other:?}"),
+    };
+    let mut question = Upload::new(&[], patience);
+    assert_eq!(sends(&mut question), hex(&bytes("question")));
+
+    let part = [1, 2, 0, 4, 5, 6];
+    let mut memory = [0; 1024];
+    let mut inbox = Inbox::new(&mut memory, 16);
+    assert!(bytes("first_chunk").iter().all(|byte| !inbox.receive(*byte)));
+    assert_eq!(inbox.answer().map(hex), Some(hex(&bytes("status"))));
+
+    let mut upload = Upload::new(&part, patience);
+    bytes("status").iter().for_each(|byte| upload.receive(*byte, 0));
+    assert_eq!(sends(&mut upload), hex(&bytes("chunk")));
+    assert!(bytes("chunk").iter().all(|byte| !inbox.receive(*byte)));
+    inbox.answer().unwrap().iter().for_each(|byte| upload.receive(*byte, 0));
+    assert_eq!(sends(&mut upload), hex(&bytes("hand_over")));
+    let given = bytes("hand_over").iter().filter(|byte| inbox.receive(**byte)).count();
+    assert_eq!((given, inbox.bytes()), (1, &part[..]));
 }
 
 const WIDTH: u16 = 40;

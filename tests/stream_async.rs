@@ -12,8 +12,9 @@ use embedded_io_async::{ErrorKind, ErrorType, Read, Write};
 use scancsg::render::{Gray8, RowError, RowSource, Size};
 use scancsg::stream::faults::{Faults, Line};
 use scancsg::stream::{
-    AsyncClock, Delivery, Event, Memory, Patience, PixelFormat, Plain, Receiver, Sender,
-    ServeError, Timing, packet_capacity, receive_async, serve_async,
+    AsyncClock, Delivery, Event, Inbox, Memory, Patience, PixelFormat, Plain, Receiver, Sender,
+    ServeError, Timing, Upload, UploadTask, packet_capacity, receive_async, serve_async,
+    take_async,
 };
 
 const WIDTH: u16 = 20;
@@ -186,6 +187,41 @@ fn frames_arrive_over_a_lossy_line() {
         assert_eq!(repairs > 0, faults != clean);
         assert_eq!(complete.into_inner(), (0..20).collect::<Vec<_>>());
     }
+}
+
+#[test]
+fn a_part_arrives_over_a_lossy_line() {
+    let faults = Faults { flipped: 0.002, packets_dropped: 0.1, ..Faults::NONE };
+    let (now, mut device, mut host) = line(faults, faults);
+    let part: Vec<u8> = (0..500_u16).map(|i| (i / 3) as u8).collect();
+    let uploads = async {
+        let mut upload = Upload::new(&part, Patience { ticks: 500, silences: 50 });
+        let mut clock = Ticks(now.clone());
+        loop {
+            match upload.poll(now.get()) {
+                UploadTask::Send(packet) => {
+                    for byte in packet {
+                        host.write(&[*byte]).await.unwrap();
+                    }
+                    upload.sent(now.get());
+                }
+                UploadTask::Listen(_) => {
+                    clock.wait(1).await;
+                    while let Some(byte) = host.back.borrow_mut().pop(now.get()) {
+                        upload.receive(byte, now.get());
+                    }
+                }
+                UploadTask::Done(outcome) => panic!("nothing answers it, and it is {outcome:?}"),
+            }
+        }
+    };
+    let mut memory = [0; 600];
+    let mut inbox = Inbox::new(&mut memory, 32);
+    let taken = run(&now, take_async(&mut inbox, &mut device), uploads);
+    assert_eq!(taken, Ok(&part[..]));
+    device.is_closed = true;
+    let taken = run(&now, take_async(&mut inbox, &mut device), async {});
+    assert_eq!(taken, Err(ServeError::Closed));
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! What the host's tools share: serial ports, receiving frames, showing and saving them.
+//! What the host's tools share: serial ports, sending parts, receiving frames, showing and saving them.
 
 #![allow(dead_code)] // every tool takes what it needs
 
@@ -9,4 +9,5 @@ pub mod picture;
 pub mod port;
 pub mod receive;
 pub mod screen;
+pub mod send;
 pub mod wire;

@@ -1,9 +1,9 @@
 //! Receiving frames: the host's end of the link.
 
-use super::port::{Heard, Port, write_all};
+use super::port::{Heard, Port, is_wait, write_all};
 use scancsg::stream::{
-    Assembler, Event, FrameHeader, Memory, PixelFormat, ReceiveError, Receiver, Timing, Traffic,
-    packet_capacity,
+    Assembler, Event, FrameHeader, Memory, Outcome, PixelFormat, ReceiveError, Receiver, Timing,
+    Traffic, Upload, UploadTask, packet_capacity,
 };
 use std::time::{Duration, Instant};
 
@@ -18,6 +18,9 @@ pub const CAPACITY: usize = packet_capacity(MAX_WIDTH, PixelFormat::Rgb888);
 const LISTEN: Duration = Duration::from_millis(10);
 /// So long an answer waits for room on the line. If it gets lost, it is given again.
 const ANSWER_WAIT: Duration = Duration::from_millis(100);
+
+/// So long a chunk of an upload waits for room. If it gets lost, it is sent again.
+const SEND_WAIT: Duration = Duration::from_secs(1);
 
 /// The times of a receiver in milliseconds, on a line of so many bits per second: a packet of some rows
 /// must have the time to come.
@@ -259,6 +262,47 @@ impl<'m, P: Port> Session<'m, P> {
             Event::Refused(error) => News::Refused(error),
             _ => News::Nothing,
         }
+    }
+
+    /// Sends an upload. The frame that answers it comes next. `go_on` hears how many bytes are there, and says
+    /// whether to go on.
+    pub fn upload(
+        &mut self,
+        upload: &mut Upload<'_>,
+        mut go_on: impl FnMut(usize) -> bool,
+    ) -> Result<Outcome, String> {
+        self.buffer.clear();
+        self.taken = 0;
+        while go_on(upload.delivered()) {
+            let now = self.start.elapsed().as_millis() as u32;
+            let wait = match upload.poll(now) {
+                UploadTask::Send(packet) => {
+                    // What came before it belongs to an earlier frame.
+                    self.buffer.clear();
+                    match write_all(&mut self.port, packet, SEND_WAIT) {
+                        Err(error) if !is_wait(&error) => {
+                            return Err(format!("sending failed: {error}"));
+                        }
+                        _ => upload.sent(self.start.elapsed().as_millis() as u32),
+                    }
+                    continue;
+                }
+                UploadTask::Listen(ticks) => Duration::from_millis(ticks.into()).min(LISTEN),
+                UploadTask::Done(outcome) => return Ok(outcome),
+            };
+            let mut bytes = [0; 4096];
+            match self.port.read(&mut bytes, wait) {
+                Heard::Bytes(count) => {
+                    let bytes = bytes.get(..count).unwrap_or_default();
+                    let now = self.start.elapsed().as_millis() as u32;
+                    bytes.iter().for_each(|byte| upload.receive(*byte, now));
+                    self.buffer.extend_from_slice(bytes);
+                }
+                Heard::Silence => {}
+                Heard::Closed => return Err("the line is closed at its other end".into()),
+            }
+        }
+        Err("stopped before all was sent".into())
     }
 
     /// Receives the next frame; `watch` sees it grow. `None` if the line closes before one begins,

@@ -3,6 +3,7 @@
 
 #![allow(dead_code)] // every user takes what it needs
 
+pub mod fit;
 pub mod housing;
 pub mod pipe;
 pub mod plate;

@@ -1,10 +1,12 @@
 //! The command line.
 
 use crate::gallery::Scene;
-use clap::builder::PossibleValue;
-use clap::{Parser, ValueEnum};
+use clap::builder::{PossibleValue, TypedValueParser};
+use clap::error::ErrorKind;
+use clap::{Arg, Command, Parser, ValueEnum};
 use scancsg::render::Size;
-use std::path::PathBuf;
+use std::ffi::OsStr;
+use std::path::{self, PathBuf};
 use std::sync::LazyLock;
 
 const EXIT_CODES: &str = "\
@@ -19,8 +21,8 @@ Exit codes: 0 all frames are whole and acknowledged, 1 something failed, 2 wrong
 #[derive(Debug, Parser)]
 #[command(name = "stream", version, after_help = EXIT_CODES)]
 pub struct Args {
-    /// What is rendered
-    #[arg(long, value_enum, default_value_t = Part::Tee)]
+    /// What is rendered: one of these scenes, or a file with a part as a program in bytes
+    #[arg(long, value_name = "NAME|FILE", default_value = "tee", value_parser = SceneOrFile)]
     pub scene: Part,
 
     /// The PNG file to write; several frames become an animation
@@ -43,9 +45,10 @@ pub struct Args {
     #[arg(long, value_enum, default_value_t = Camera::Ortho)]
     pub camera: Camera,
 
-    /// The number type to render with: floating point, or fixed point with 16 fraction bits
-    #[arg(long, value_enum, default_value_t = Number::F32)]
-    pub number: Number,
+    /// The number type to render with: floating point, or fixed point with 16 fraction bits. f32 if it isn't
+    /// given; a file says itself which it is in
+    #[arg(long, value_enum)]
+    pub number: Option<Number>,
 
     /// Smooth edges: the mean of NxN samples in every pixel that is not all of one face
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=16))]
@@ -88,11 +91,12 @@ pub struct Args {
 }
 
 /// What is rendered.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Part {
     Tee,
     Pipe,
     Gallery(Scene),
+    File(PathBuf),
 }
 
 impl ValueEnum for Part {
@@ -110,7 +114,47 @@ impl ValueEnum for Part {
             Self::Tee => named("tee", "A pipe tee with flanges"),
             Self::Pipe => named("pipe", "A pipe along a B-spline"),
             Self::Gallery(scene) => scene.to_possible_value(),
+            Self::File(_) => None,
         }
+    }
+}
+
+/// The name of a scene, or else of a file.
+#[derive(Clone)]
+struct SceneOrFile;
+
+impl TypedValueParser for SceneOrFile {
+    type Value = Part;
+
+    fn parse_ref(
+        &self,
+        command: &Command,
+        _: Option<&Arg>,
+        value: &OsStr,
+    ) -> Result<Part, clap::Error> {
+        let named = value.to_str().and_then(|name| Part::from_str(name, false).ok());
+        match named {
+            Some(part) => Ok(part),
+            None if path::Path::new(value).is_file() => Ok(Part::File(value.into())),
+            None => {
+                let names: Vec<String> = self
+                    .possible_values()
+                    .into_iter()
+                    .flatten()
+                    .map(|name| name.get_name().into())
+                    .collect();
+                let message = format!(
+                    "`{}` is neither a scene nor a file; the scenes are {}\n",
+                    value.display(),
+                    names.join(", ")
+                );
+                Err(clap::Error::raw(ErrorKind::InvalidValue, message).with_cmd(command))
+            }
+        }
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue>>> {
+        Some(Box::new(Part::value_variants().iter().filter_map(ValueEnum::to_possible_value)))
     }
 }
 

@@ -1,48 +1,26 @@
-//! The host: chooses what is rendered, gives it a line, and looks at what comes out.
+//! The host: gives the frames a line, and looks at what comes out.
 
-use crate::args::{self, Args, Camera, Coding, Format, Number, Path};
-use crate::coding::Chosen;
-use crate::gallery::Assembly;
+use crate::args::Args;
+use crate::frames::send;
 use crate::host::film::Film;
 use crate::host::meter::Meter;
 use crate::host::port::{self, Port};
-use crate::host::receive::{CAPACITY, Ending, Room, Session, timing};
+use crate::host::receive::{Ending, Room, Session, timing};
 use crate::host::screen::Screen;
 use crate::host::wire::{Trouble, Wire};
-use crate::line::{Line, ONE_WAY, PATIENCE};
-use crate::scene::LAP;
-use crate::scene::pipe::PipeScene;
-use crate::shading::Shading;
+use crate::line::Line;
 use clap::Parser;
-use scancsg::geom::{OrthographicRays, PerspectiveRays, Pose, Rays};
-use scancsg::render::{
-    Blend, Gray8, Picture, Rgb565, Size, SmoothColumn, SmoothPicture, Smoothing,
-};
-use scancsg::scalar::I16F16;
-use scancsg::solid::{Placed, Scan, Solid};
-use scancsg::stream::{Delivery, Predictable, Sender, ServeError, Timing, WirePixel, serve};
-use std::f64::consts::TAU;
-use std::io;
+use scancsg::stream::Timing;
 use std::process::ExitCode;
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// The pipe's segments follow its curve to this part of a pixel, in pictures of up to so many rows:
-/// there is room for no more segments.
-const PIXEL_PART: f64 = 0.25;
-const FINEST_ROWS: u16 = 480;
-
-/// The height of what the camera sees at the pipe's nearest point, or less.
-const NEAR_HEIGHT: f64 = 3.7;
-
-/// For the pipe's segments, and their views and rows, which an unoptimised build copies about.
-const SENDER_STACK: usize = 16 << 20;
+/// For the pipe's segments, and their views and rows, and those of a file's part, which an unoptimised build copies
+/// about. The system gives it as it is used.
+const SENDER_STACK: usize = 64 << 20;
 
 /// A frame's first packet may have to be rendered for so long; a sender that fails closes the line.
 const FRAME_WAIT: Duration = Duration::from_secs(120);
-
-/// After so many frames in a row that nobody has acknowledged, no more are sent.
-const UNHEARD: u32 = 3;
 
 /// A frame is incomplete, or not acknowledged.
 const INCOMPLETE: u8 = 3;
@@ -69,13 +47,6 @@ pub fn run() -> ExitCode {
 fn line(port: Box<dyn Port>, args: &Args) -> Line {
     let baud = args.baud.filter(|_| args.port.is_none());
     Line::new(Wire::new(port, Trouble { baud, noise: args.noise, cut_after: args.cut_after }))
-}
-
-/// What the sending side has to say when it is done.
-struct Sent {
-    frames: u16,
-    bytes: u64,
-    unheard: u32,
 }
 
 /// Sends to a real device, and waits for it to acknowledge. Returns the problems.
@@ -169,185 +140,4 @@ fn loop_back(args: &Args) -> Result<Vec<String>, String> {
         }
         Ok(problems)
     })
-}
-
-/// Renders and sends all frames, in the number type and the pixel format that were asked for.
-fn send(args: &Args, line: &Line, sent: &mut dyn FnMut(u16)) -> Result<Sent, String> {
-    match args.number {
-        Number::F32 => send_number::<f32>(args, line, sent),
-        Number::F64 => send_number::<f64>(args, line, sent),
-        Number::I16f16 => send_number::<I16F16>(args, line, sent),
-    }
-}
-
-/// A number type that the example can be asked for.
-trait Choice: PipeScene {
-    fn nearest(number: f64) -> Self;
-}
-
-impl Choice for f32 {
-    fn nearest(number: f64) -> Self {
-        number as Self
-    }
-}
-
-impl Choice for f64 {
-    fn nearest(number: f64) -> Self {
-        number
-    }
-}
-
-impl Choice for I16F16 {
-    fn nearest(number: f64) -> Self {
-        Self::saturating_from_num(number)
-    }
-}
-
-fn send_number<S: Choice>(
-    args: &Args,
-    line: &Line,
-    sent: &mut dyn FnMut(u16),
-) -> Result<Sent, String> {
-    let pixel = NEAR_HEIGHT / f64::from(args.size.height().min(FINEST_ROWS));
-    let tolerance = S::nearest(PIXEL_PART * pixel);
-    let text = |error: scancsg::solid::PipeError| error.to_string();
-    match (args.scene, args.format) {
-        (args::Part::Tee, Format::Gray8) => send_shaded(args, line, sent, &S::TEE, Gray8(0)),
-        (args::Part::Tee, Format::Rgb565) => {
-            send_shaded(args, line, sent, &S::PAINTED_TEE, Rgb565(0))
-        }
-        (args::Part::Pipe, Format::Gray8) => {
-            let pipe = S::pipe(tolerance).map_err(text)?;
-            send_shaded(args, line, sent, &pipe, Gray8(0))
-        }
-        (args::Part::Pipe, Format::Rgb565) => {
-            let pipe = S::painted_pipe(tolerance).map_err(text)?;
-            send_shaded(args, line, sent, &pipe, Rgb565(0))
-        }
-        (args::Part::Gallery(scene), format) => {
-            let parts: Box<Assembly<S>> =
-                Box::new(scene.build().map_err(|error| error.to_string())?);
-            match format {
-                Format::Gray8 => send_shaded(args, line, sent, &*parts, Gray8(0)),
-                Format::Rgb565 => send_shaded(args, line, sent, &*parts, Rgb565(0)),
-            }
-        }
-    }
-}
-
-/// A part that both cameras can see.
-trait Part<S: Choice>:
-    Solid<Scalar = S> + Scan<OrthographicRays<S>> + Scan<PerspectiveRays<S>>
-{
-}
-impl<S, T> Part<S> for T
-where
-    S: Choice,
-    T: Solid<Scalar = S> + Scan<OrthographicRays<S>> + Scan<PerspectiveRays<S>>,
-{
-}
-
-fn send_shaded<S, T, P>(
-    args: &Args,
-    line: &Line,
-    sent: &mut dyn FnMut(u16),
-    part: &T,
-    background: P,
-) -> Result<Sent, String>
-where
-    S: Choice,
-    T: Part<S>,
-    P: Blend + WirePixel<Wire: Predictable>,
-{
-    let shading = Shading::new(args.shade, S::TO_LIGHT, S::hundredths);
-    let shading = shading.map_err(|error| error.to_string())?;
-    // Where the camera is in a frame, unless it stays where it is.
-    let eye = |frame: u16| match args.path {
-        Path::Turn => Ok(None),
-        Path::Orbit => {
-            let time = S::nearest(LAP * f64::from(frame) / f64::from(args.frames));
-            S::eye(time).map(Some).map_err(|error| error.to_string())
-        }
-    };
-    let text = |error: scancsg::render::CameraError| error.to_string();
-    match args.camera {
-        Camera::Ortho => {
-            let camera = |frame| {
-                eye(frame)?.map_or_else(S::orthographic, S::orthographic_from).map_err(text)
-            };
-            send_frames(args, line, sent, part, camera, shading, background)
-        }
-        Camera::Persp => {
-            let camera =
-                |frame| eye(frame)?.map_or_else(S::perspective, S::perspective_from).map_err(text);
-            send_frames(args, line, sent, part, camera, shading, background)
-        }
-    }
-}
-
-fn send_frames<S, T, C, P>(
-    args: &Args,
-    line: &Line,
-    sent: &mut dyn FnMut(u16),
-    part: &T,
-    camera: impl Fn(u16) -> Result<C, String>,
-    shading: Shading<S>,
-    background: P,
-) -> Result<Sent, String>
-where
-    S: Choice,
-    C: scancsg::render::Camera<Rays: Rays<Scalar = S>>,
-    T: Solid<Scalar = S> + Scan<C::Rays>,
-    P: Blend + WirePixel<Wire: Predictable>,
-{
-    let size: Size = args.size;
-    let coding = match args.coding {
-        Coding::Plain => Chosen::plain(),
-        Coding::Predictive => Chosen::predictive(),
-    };
-    let patience = if args.one_way { ONE_WAY } else { PATIENCE };
-    let mut sender = Box::new(Sender::<_, CAPACITY>::new(coding, patience));
-    let (mut port, mut clock) = (line, line);
-    let mut pixels = vec![background; usize::from(size.width())];
-    let mut columns = vec![SmoothColumn::EMPTY; usize::from(size.width()) + 1];
-    let (mut unheard, mut in_a_row, mut frames) = (0, 0, 0);
-    for frame in 0..args.frames {
-        let turns = match args.path {
-            Path::Turn => f64::from(frame) / f64::from(args.frames),
-            Path::Orbit => 0.0,
-        };
-        let turn = Pose::rotation_y(S::nearest(TAU * turns)).map_err(|error| error.to_string())?;
-        let turned = Placed::new(part, turn);
-        let camera = camera(frame)?;
-        let delivery = match args.smooth {
-            None => {
-                let mut picture = Picture::new(&turned, &camera, size, shading, background);
-                serve(&mut picture, frame, &mut sender, &mut port, &mut pixels, &mut clock)
-            }
-            Some(samples) => {
-                let smoothing = Smoothing::new(size, samples, &mut columns)
-                    .map_err(|error| error.to_string())?;
-                let mut picture =
-                    SmoothPicture::new(&turned, &camera, smoothing, shading, background);
-                serve(&mut picture, frame, &mut sender, &mut port, &mut pixels, &mut clock)
-            }
-        };
-        let delivery = delivery.map_err(|error| describe_error(&error))?;
-        let is_unheard = delivery == Delivery::Unheard;
-        unheard += u32::from(is_unheard);
-        in_a_row = if is_unheard { in_a_row + 1 } else { 0 };
-        frames += 1;
-        sent(frame);
-        if in_a_row >= UNHEARD && !args.one_way {
-            break;
-        }
-    }
-    Ok(Sent { frames, bytes: sender.bytes_sent(), unheard })
-}
-
-fn describe_error(error: &ServeError<io::Error>) -> String {
-    match error {
-        ServeError::Write(cause) | ServeError::Read(cause) => format!("sending failed: {cause}"),
-        error => error.to_string(),
-    }
 }

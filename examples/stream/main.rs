@@ -14,8 +14,12 @@ mod args;
 mod board;
 #[cfg(not(target_os = "none"))]
 mod coding;
+#[cfg(not(target_os = "none"))]
+mod file;
 #[cfg(target_os = "none")]
 mod firmware;
+#[cfg(not(target_os = "none"))]
+mod frames;
 #[cfg(not(target_os = "none"))]
 mod gallery;
 #[cfg(not(target_os = "none"))]
@@ -27,6 +31,8 @@ mod line;
 mod loopback;
 #[path = "../scene/mod.rs"]
 mod scene;
+#[cfg(not(target_os = "none"))]
+mod setting;
 #[cfg(not(target_os = "none"))]
 mod shading;
 

@@ -14,16 +14,16 @@ pub enum Shading<S: Scalar> {
 }
 
 impl<S: Scalar> Shading<S> {
-    /// For a part that fits a ball of radius 2.6 around the origin; `hundredths` makes numbers.
+    /// For a part that fits a ball of radius 2.6 around the camera's target; `length` makes lengths of hundredths.
     pub fn new(
         shade: Shade,
         to_light: Vec3<S>,
-        hundredths: impl Fn(i32) -> S,
+        length: impl Fn(i32) -> S,
     ) -> Result<Self, ShadeError> {
         Ok(match shade {
-            Shade::Lambert => Self::Lambert(Lambert::new(to_light, hundredths(15))?),
-            Shade::Depth => Self::Depth(Depth::new(hundredths(-260), hundredths(260))?),
-            Shade::Xray => Self::Xray(XRay::new(hundredths(400))?),
+            Shade::Lambert => Self::Lambert(Lambert::new(to_light, S::from_ratio(15, 100))?),
+            Shade::Depth => Self::Depth(Depth::new(length(-260), length(260))?),
+            Shade::Xray => Self::Xray(XRay::new(length(400))?),
         })
     }
 }

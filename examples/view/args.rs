@@ -15,6 +15,10 @@ without it an incomplete one, 4 no frame came.";
 #[derive(Debug, Parser)]
 #[command(name = "view", version, after_help = EXIT_CODES)]
 pub struct Args {
+    /// Send this part to the device first, a program in bytes, and receive the picture that answers it
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["replay", "frames"])]
+    pub send: Option<PathBuf>,
+
     /// The serial device to listen to; without it, the only one there is
     #[arg(long, value_name = "DEVICE")]
     pub port: Option<String>,

@@ -5,6 +5,7 @@ use crate::host::meter::Meter;
 use crate::host::port;
 use crate::host::receive::{Ending, Frame, News, Room, Session, timing};
 use crate::host::screen::Screen;
+use crate::host::send;
 use crate::ports;
 use crate::replay::Replay;
 use crate::save::Saver;
@@ -12,6 +13,8 @@ use crate::serve::Server;
 use crate::tap::Tap;
 use clap::Parser;
 use scancsg::stream::{PROTOCOL_VERSION, PacketError};
+use std::fs;
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -35,7 +38,10 @@ const LINGER: Duration = Duration::from_millis(400);
 const GARBAGE: Duration = Duration::from_secs(1);
 
 pub fn run() -> ExitCode {
-    let args = Args::parse();
+    let mut args = Args::parse();
+    if args.send.is_some() {
+        args.frames = Some(1);
+    }
     if args.list {
         return match ports::list() {
             Ok(ports) => {
@@ -87,6 +93,9 @@ struct Run<'a> {
     /// The device, if it isn't a recording.
     device: Option<String>,
     session: Session<'a, Tap>,
+    /// What is sent to the device, and how often it was.
+    part: Option<Vec<u8>>,
+    sent: u8,
     saver: Saver,
     meter: Meter,
     screen: Screen,
@@ -110,6 +119,10 @@ fn receive(args: &Args) -> Result<ExitCode, String> {
     {
         return Err(format!("{} can't be replayed and recorded at once", replay.display()));
     }
+    let read = |path: &PathBuf| {
+        fs::read(path).map_err(|error| format!("can't read {}: {error}", path.display()))
+    };
+    let part = args.send.as_ref().map(read).transpose()?;
     let is_interrupted = interruption()?;
     let device = match (&args.port, &args.replay) {
         (Some(device), _) => Some(device.clone()),
@@ -139,6 +152,8 @@ fn receive(args: &Args) -> Result<ExitCode, String> {
         args,
         device,
         session: Session::new(tap, &mut room, timing(Some(args.baud))),
+        part,
+        sent: 0,
         saver,
         meter: Meter::new(),
         screen,
@@ -150,11 +165,23 @@ fn receive(args: &Args) -> Result<ExitCode, String> {
         has_said_refused: false,
         has_said_garbage: false,
     };
+    run.send()?;
     let end = run.frames()?;
     run.finish(end)
 }
 
 impl Run<'_> {
+    /// Sends the part, if there is one.
+    fn send(&mut self) -> Result<(), String> {
+        let Some(part) = &self.part else { return Ok(()) };
+        self.sent += 1;
+        self.screen.note(&format!("sending {} bytes", part.len()));
+        let go_on = |_| !self.is_interrupted.load(Ordering::Relaxed);
+        send::send(&mut self.session, part, Some(self.args.baud), go_on)?;
+        self.progress = Instant::now();
+        Ok(())
+    }
+
     fn frames(&mut self) -> Result<End, String> {
         loop {
             if self.is_interrupted.load(Ordering::Relaxed) {
@@ -210,7 +237,11 @@ impl Run<'_> {
         if let Some(problem) = frame.problem() {
             self.screen.note(&format!("view: {problem}"));
             self.damaged += u32::from(!is_reset);
+            let is_silent = frame.ending == Ending::Silent;
             self.unfinished = Some(frame);
+            if is_silent && self.sent < send::ATTEMPTS {
+                self.send()?;
+            }
             let is_enough = self.args.frames.is_some() && self.damaged >= GIVE_UP;
             return Ok(is_enough.then_some(End::Damaged));
         }

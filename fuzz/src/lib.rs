@@ -8,9 +8,10 @@ pub use program::program;
 
 use scancsg::render::{Gray8, Mono, Palette, Rgb, Rgb565, Rgb888};
 use scancsg::stream::{
-    Assembler, Decoder, Event, FrameHash, FrameHeader, Memory, Packet, Part, Patience, PixelFormat,
-    Plain, Predictive, PredictiveMono, Receiver, Request, RowCoding, RowHash, Sender, Task, Timing,
-    Wire, encode_ack, encode_request, packet_capacity,
+    Assembler, Decoder, Event, FrameHash, FrameHeader, Inbox, Memory, Outcome, Packet, Part,
+    Patience, PixelFormat, Plain, Predictive, PredictiveMono, Receiver, Refusal, Request,
+    RowCoding, RowHash, Sender, Task, Timing, Upload, UploadTask, Wire, encode_ack, encode_request,
+    packet_capacity,
 };
 
 /// The largest frame's width and height here.
@@ -52,13 +53,18 @@ impl<'a> Script<'a> {
     }
 }
 
-/// A packet with a right checksum around any contents.
-fn sealed(content: &[u8]) -> Vec<u8> {
-    let crc = !content.iter().fold(!0_u32, |crc, byte| {
+/// The CRC-32 of any bytes.
+fn crc(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(!0_u32, |crc, byte| {
         (0..8).fold(crc ^ u32::from(*byte), |crc, _| {
             (crc >> 1) ^ (0xEDB8_8320 & (crc & 1).wrapping_neg())
         })
-    });
+    })
+}
+
+/// A packet with a right checksum around any contents.
+fn sealed(content: &[u8]) -> Vec<u8> {
+    let crc = crc(content);
     let mut packet = vec![0];
     let mut code = 0;
     for byte in content.iter().copied().chain(crc.to_le_bytes()) {
@@ -434,4 +440,157 @@ pub fn sender(bytes: &[u8]) {
     }
     // Nothing was lost on this line, whatever was asked for.
     assert!(is_complete);
+}
+
+/// A device's inbox that gets any bytes, and chunks of some uploads among them: what it hands over is whole, it says
+/// one thing at a time, and it takes a clean upload after all that.
+pub fn inbox(bytes: &[u8]) {
+    let mut script = Script(bytes);
+    let mut memory = [0; 300];
+    let room = script.word() as usize % 301;
+    let mut inbox = Inbox::new(&mut memory[..room], 32);
+    let uploads =
+        [1, 5, 40, 290].map(|length: u16| (0..length).map(|i| (i / 3) as u8).collect::<Vec<_>>());
+    while !script.0.is_empty() {
+        let content = match script.byte() % 8 {
+            0 => {
+                let count = script.byte().into();
+                let noise = script.take(count);
+                assert!(noise.iter().all(|byte| !inbox.receive(*byte)));
+                continue;
+            }
+            1 => {
+                let kind = script.byte();
+                let count = script.byte().into();
+                [&[kind], script.take(count)].concat()
+            }
+            // A chunk that says anything of itself.
+            2 => {
+                let count = script.byte().into();
+                [&[0x83], script.take(8), script.take(count)].concat()
+            }
+            which => {
+                let upload = &uploads[usize::from(which) % 4];
+                let start = usize::from(script.word()) % (upload.len() + 1);
+                let end = (start + usize::from(script.byte())).min(upload.len());
+                let wrong = u32::from(script.byte() % 4 == 0);
+                let (length, hash) = (upload.len() as u16, crc(upload) ^ wrong);
+                let mut content = vec![0x83];
+                content.extend(length.to_le_bytes());
+                content.extend(hash.to_le_bytes());
+                content.extend((start as u16).to_le_bytes());
+                content.extend(&upload[start..end]);
+                content
+            }
+        };
+        for byte in sealed(&content) {
+            if inbox.receive(byte) {
+                let given = inbox.bytes();
+                assert!(!given.is_empty() && given.len() <= room && content.len() == 9);
+                // Length, hash and offset.
+                assert_eq!(content[1..3], (given.len() as u16).to_le_bytes());
+                assert_eq!(content[3..7], crc(given).to_le_bytes());
+                assert_eq!(content[7..9], content[1..3]);
+                if script.byte() % 2 == 0 {
+                    inbox.refuse(Refusal::Invalid);
+                }
+            }
+        }
+        if let Some(answer) = inbox.answer() {
+            assert!(answer.len() <= 20 && answer.ends_with(&[0]), "{answer:?}");
+            assert!(!answer[1..answer.len() - 1].contains(&0));
+        }
+        assert_eq!(inbox.answer(), None);
+    }
+    let clean: Vec<u8> = (0..room as u16).map(|i| (7 * i + 3) as u8).collect();
+    let mut given = Vec::new();
+    let outcome = talk(&mut inbox, &clean, &mut given);
+    let wanted = if room == 0 { Outcome::Taken } else { Outcome::Refused(Refusal::Kind) };
+    assert_eq!(outcome, wanted);
+    assert!(given == clean);
+}
+
+/// A clean line between both ends of an upload, which is refused at last.
+fn talk(inbox: &mut Inbox<'_>, bytes: &[u8], given: &mut Vec<u8>) -> Outcome {
+    let mut upload = Upload::new(bytes, PATIENCE);
+    // What is left of a packet is behind this.
+    inbox.receive(0);
+    loop {
+        match upload.poll(0) {
+            UploadTask::Send(packet) => {
+                for byte in packet {
+                    if inbox.receive(*byte) {
+                        given.extend_from_slice(inbox.bytes());
+                        inbox.refuse(Refusal::Kind);
+                    }
+                }
+                upload.sent(0);
+                let answer = inbox.answer().expect("each chunk is answered");
+                answer.iter().for_each(|byte| upload.receive(*byte, 0));
+            }
+            // Nothing was lost: there is no need to.
+            UploadTask::Listen(_) => return Outcome::Unheard,
+            UploadTask::Done(outcome) => return outcome,
+        }
+    }
+}
+
+/// An upload that hears any bytes, statuses and frames among them, at any times: it sends what it should, and is
+/// done in bounded time when nobody says more.
+pub fn upload(bytes: &[u8]) {
+    let mut script = Script(bytes);
+    let part: Vec<u8> = (0..script.word() % 1000).map(|i| (i / 2) as u8).collect();
+    let hash = crc(&part);
+    let mut upload = Upload::new(&part, PATIENCE);
+    let mut memory = [0; 1000];
+    let mut inbox = Inbox::new(&mut memory, 32);
+    let mut now = u32::from(script.byte()).wrapping_sub(100);
+    let mut after = 0;
+    loop {
+        let heard = match script.byte() % 8 {
+            _ if script.0.is_empty() => {
+                after += 1;
+                Vec::new()
+            }
+            0 => {
+                let count = script.byte() % 32;
+                script.take(count.into()).to_vec()
+            }
+            1 => {
+                now = now.wrapping_add(u32::from(script.byte()));
+                Vec::new()
+            }
+            2 => {
+                let kind = script.byte() % 8;
+                let count = script.byte() % 16;
+                sealed(&[&[kind], script.take(count.into())].concat())
+            }
+            3 => {
+                let have = script.word() % 1001;
+                let fields = [&hash.to_le_bytes()[..], &have.to_le_bytes()];
+                sealed(&[&[5], &fields.concat()[..], &[script.byte() / 250, 0, 4, 32]].concat())
+            }
+            _ => inbox.answer().unwrap_or_default().to_vec(),
+        };
+        heard.iter().for_each(|byte| upload.receive(*byte, now));
+        assert!(after < 100, "no end");
+        assert!(upload.delivered() <= part.len());
+        match upload.poll(now) {
+            UploadTask::Send(packet) => {
+                assert!(packet.starts_with(&[0]) && packet.ends_with(&[0]) && packet.len() <= 258);
+                for byte in packet {
+                    if inbox.receive(*byte) {
+                        assert!(inbox.bytes() == part);
+                    }
+                }
+                upload.sent(now);
+            }
+            UploadTask::Listen(ticks) => {
+                assert!(ticks > 0 && ticks <= PATIENCE.ticks);
+                now = now.wrapping_add(if script.0.is_empty() { ticks } else { 1 });
+            }
+            UploadTask::Done(_) if script.0.is_empty() => break,
+            UploadTask::Done(_) => {}
+        }
+    }
 }

@@ -10,7 +10,9 @@ use crate::solid::{
 };
 use crate::span::StackFull;
 use crate::spline::{CurveError, EvaluateError, FlattenError, KnotError, SweepError};
-use crate::stream::{EncodeError, LinkError, PacketError, ReceiveError, ServeError, UnpackError};
+use crate::stream::{
+    EncodeError, LinkError, PacketError, ReceiveError, Refusal, ServeError, UnpackError,
+};
 
 macro_rules! errors {
     ($(#[$about:meta])* { $($(#[$when:meta])* $Variant:ident($Error:ident),)+ }) => {
@@ -121,6 +123,8 @@ errors! {
         Ray(RayError),
         /// Of a packet that isn't taken in.
         Receive(ReceiveError),
+        /// Of an upload that a device doesn't want.
+        Refusal(Refusal),
         /// Of a row.
         Row(RowError),
         /// Of a shader.

@@ -13,6 +13,7 @@
 //! | code rows short | [`Predictive`]: a quarter of the bytes of [`Plain`] |
 //! | send with the least memory and time | [`Plain`] |
 //! | send your own pixels | [`WirePixel`] |
+//! | send a part to a device, which answers with its picture | [`Upload`]; on the device [`take`]; `take_async` |
 //!
 //! # Format
 //!
@@ -30,8 +31,10 @@
 //! | 0x02 | row     | frame `u16`, y `u16`, encoding `u8` (0 raw, 1 PackBits), payload |
 //! | 0x03 | end     | frame `u16`, hash `u32` |
 //! | 0x04 | rows    | frame `u16`, first y `u16`, count `u8`, payload |
+//! | 0x05 | status  | upload's hash `u32`, bytes there `u16`, refusal `u8`, capacity `u16`, number type `u8` |
 //! | 0x81 | request | frame `u16`, part `u8` (0 header, 1 rows, 2 end), first y `u16`, count `u16`, limit `u8` |
 //! | 0x82 | ack     | frame `u16` |
+//! | 0x83 | chunk   | upload's length `u16`, its hash `u32`, offset `u16`, bytes |
 //!
 //! Kinds from 0x80 on go back from the receiver to the sender. The hash of the frame is the sum modulo 2^32
 //! of its rows' hashes, and a row's hash is the CRC-32 of y (`u16`) and the row's bytes ([`RowHash`],
@@ -48,6 +51,12 @@
 //!    sends the end again, some times as late as answers took before.
 //!
 //! Without a way back, steps 2 to 4 fall away, and the receiver knows which rows it lacks.
+//!
+//! # Uploads
+//!
+//! 1. The receiver's end sends a chunk. The device answers each with a status: how many bytes it has.
+//! 2. The next chunk has the bytes behind those. Without an answer, a chunk is sent again.
+//! 3. When all bytes are there, a chunk without bytes hands them over. The device answers with a frame, or refuses.
 
 mod assembler;
 mod clock;
@@ -65,6 +74,7 @@ mod serve;
 #[cfg(feature = "async")]
 mod serve_async;
 mod serve_error;
+mod upload;
 mod wire;
 
 pub use assembler::{Assembler, Event, Memory, ReceiveError};
@@ -83,8 +93,9 @@ pub use receiver::{Receiver, Timing, Traffic};
 pub use sender::{Delivery, Patience, Sender, Task};
 pub use serve::serve;
 #[cfg(feature = "async")]
-pub use serve_async::{receive_async, serve_async};
+pub use serve_async::{receive_async, serve_async, take_async};
 pub use serve_error::ServeError;
+pub use upload::{Device, Inbox, Outcome, Refusal, Upload, UploadTask, take};
 pub use wire::{
     CONTROL_CAPACITY, FrameHeader, PROTOCOL_VERSION, Packet, Part, Request, encode_ack, encode_end,
     encode_header, encode_request, encode_row, packet_capacity, row_capacity,

@@ -14,6 +14,7 @@ use super::receiver::Receiver;
 use super::sender::{Delivery, Sender, Task};
 use super::serve::{READS, header_of};
 use super::serve_error::ServeError;
+use super::upload::Inbox;
 use crate::render::RowSource;
 
 /// As [`serve`](super::serve), for `async` firmware: sends one frame, and renders again whatever was lost.
@@ -100,6 +101,33 @@ where
             return Ok(event);
         }
         written?;
+    }
+}
+
+/// As [`take`](super::take), for `async` firmware: waits until an upload has come, whole and checked.
+///
+/// # Errors
+///
+/// As [`take`](super::take).
+pub async fn take_async<'i, L>(
+    inbox: &'i mut Inbox<'_>,
+    line: &mut L,
+) -> Result<&'i [u8], ServeError<L::Error>>
+where
+    L: Read + Write + ?Sized,
+{
+    loop {
+        if let Some(answer) = inbox.answer() {
+            write(line, answer).await?;
+            line.flush().await.map_err(ServeError::Write)?;
+        }
+        let mut byte = [0];
+        if line.read(&mut byte).await.map_err(ServeError::Read)? == 0 {
+            return Err(ServeError::Closed);
+        }
+        if byte.into_iter().any(|byte| inbox.receive(byte)) {
+            return Ok(inbox.bytes());
+        }
     }
 }
 

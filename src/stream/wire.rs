@@ -2,7 +2,8 @@
 //!
 //! A layout is written once, in constants of the packet's name: its kind, and where each field is, counted
 //! from the kind; `LEN` is where the last one ends. All numbers are little-endian. What goes around these
-//! contents on the line is framing.
+//! contents on the line is framing. The packets of an upload are in `upload/wire.rs`: firmware without one
+//! doesn't read them.
 
 use core::ops::Range;
 
@@ -17,7 +18,7 @@ use crate::render::{Palette, Rgb};
 pub const PROTOCOL_VERSION: u8 = 2;
 
 /// The place of a field.
-type Field = Range<usize>;
+pub(super) type Field = Range<usize>;
 
 const HEADER: u8 = 0x01;
 const HEADER_VERSION: Field = 1..2;
@@ -100,31 +101,31 @@ pub const fn row_capacity(width: u16, format: PixelFormat) -> usize {
 }
 
 /// The contents of a packet, or of a row what is before the payload: the kind and the fields.
-struct Fields<const LEN: usize>([u8; LEN]);
+pub(super) struct Fields<const LEN: usize>(pub(super) [u8; LEN]);
 
 impl<const LEN: usize> Fields<LEN> {
     /// A packet of this kind, whose fields are yet to be set.
-    const fn new(kind: u8) -> Self {
+    pub(super) const fn new(kind: u8) -> Self {
         Self([kind; LEN])
     }
 
     /// The contents of a packet that must be just as long.
-    fn read(content: &[u8]) -> Result<Self, PacketError> {
+    pub(super) fn read(content: &[u8]) -> Result<Self, PacketError> {
         content.try_into().map(Self).map_err(|_| PacketError::Length)
     }
 
-    fn set(mut self, field: Field, value: u32) -> Self {
+    pub(super) fn set(mut self, field: Field, value: u32) -> Self {
         let bytes = self.0.get_mut(field).unwrap_or_default();
         bytes.iter_mut().zip(value.to_le_bytes()).for_each(|(to, from)| *to = from);
         self
     }
 
-    fn get(&self, field: Field) -> u32 {
+    pub(super) fn get(&self, field: Field) -> u32 {
         let bytes = self.0.get(field).unwrap_or_default();
         bytes.iter().rev().fold(0, |value, byte| value << 8 | u32::from(*byte))
     }
 
-    fn seal(&self, buffer: &mut [u8]) -> Result<usize, EncodeError> {
+    pub(super) fn seal(&self, buffer: &mut [u8]) -> Result<usize, EncodeError> {
         seal_whole(&self.0, buffer)
     }
 }

@@ -5,7 +5,7 @@ use crate::boards::{self, Boards};
 use crate::command::done;
 use crate::paths::root;
 use crate::toolchain::{self, has_program};
-use crate::{c, faults, hals, layers, log, pico, python, template, web};
+use crate::{c, device, faults, hals, layers, log, pico, python, template, web};
 use std::fs;
 use std::process::Command;
 use std::time::Instant;
@@ -27,7 +27,7 @@ struct Step {
 }
 
 /// Quick ones first.
-const STEPS: [Step; 20] = [
+const STEPS: [Step; 21] = [
     Step { name: "format", what: "every file is formatted", run: format },
     Step { name: "layers", what: "files import downwards, and in no circle", run: layers },
     Step { name: "lints", what: "clippy, on all members and all features", run: lints },
@@ -55,6 +55,7 @@ const STEPS: [Step; 20] = [
         what: "firmware on five boards: pictures, sizes, instructions",
         run: all_boards,
     },
+    Step { name: "device", what: "parts sent to firmware, and its pictures of them", run: parts },
     Step { name: "pico", what: "a Pico in another emulator has the host's picture", run: pico },
     Step { name: "hals", what: "firmware of boards that people own builds", run: all_hals },
     Step { name: "template", what: "a firmware of one's own has the host's rows", run: template },
@@ -247,6 +248,11 @@ fn in_c() -> Result<(), String> {
 fn all_boards() -> Result<(), String> {
     ensure_board_tools()?;
     boards::measure(&Boards::default())
+}
+
+fn parts() -> Result<(), String> {
+    ensure_board_tools()?;
+    device::check(&device::SHORT)
 }
 
 fn logs() -> Result<(), String> {

@@ -8,6 +8,7 @@ mod ci;
 mod command;
 mod counts;
 mod decode;
+mod device;
 mod elf;
 mod faults;
 mod hals;
@@ -64,6 +65,13 @@ enum Chore {
     /// Do to firmware what goes wrong on serial lines: garbage, a reset, nobody who reads
     Faults(Chosen),
 
+    /// Send parts to firmware that waits for them, and compare its pictures with the host's
+    Device {
+        /// This board, in both number types; may be given several times [default: microbit in i16f16, an386 in f32]
+        #[arg(long)]
+        board: Vec<Board>,
+    },
+
     /// Count where the instructions of a part of the example `bench` go
     Profile(profile::Profile),
 
@@ -116,6 +124,10 @@ fn main() -> ExitCode {
             chosen.boards().iter().try_for_each(|board| log::check(*board, chosen.number))
         }
         Chore::Faults(chosen) => faults::check(chosen.boards(), chosen.number),
+        Chore::Device { board } if board.is_empty() => device::check(&device::SHORT),
+        Chore::Device { board } => board
+            .iter()
+            .try_for_each(|board| device::check(&Number::ALL.map(|number| (*board, number)))),
         Chore::Profile(chosen) => profile::show(&chosen),
         Chore::Web(chosen) => web::run(&chosen),
         Chore::Python => python::check(),

@@ -1,0 +1,102 @@
+//! The loop of the device.
+//!
+//! It computes in `f32` where that is in hardware, and in fixed point elsewhere; `--cfg number="f32"`
+//! and `--cfg number="i16f16"` among the compiler's flags choose.
+
+use crate::board::{self, Usage, log};
+use crate::part::{BYTES, Part};
+use crate::scene::Scene;
+use crate::scene::fit::Fit;
+use embedded_io::{Read, ReadReady, Write};
+use number::Number;
+use scancsg::render::{Gray8, Lambert, Picture, Size};
+use scancsg::solid::Solid;
+use scancsg::stream::{
+    Delivery, Inbox, Looks, Patience, PixelFormat, Predictive, Refusal, Sender, packet_capacity,
+    serve, take,
+};
+
+const WIDTH: u16 = 160;
+const HEIGHT: u16 = 120;
+const PACKET: usize = packet_capacity(WIDTH, PixelFormat::Gray8);
+
+#[cfg(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16"))))]
+mod number {
+    pub type Number = f32;
+    /// The number type, as in a program's header.
+    pub const CODE: u8 = 32;
+}
+#[cfg(not(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16")))))]
+mod number {
+    pub type Number = scancsg::scalar::I16F16;
+    /// The number type, as in a program's header.
+    pub const CODE: u8 = 16;
+}
+
+/// Some ten to thirty instructions a look: about three seconds on these boards.
+const PATIENCE: Patience = Patience { ticks: 500_000, silences: 3 };
+
+type Device = Sender<Predictive<Gray8, { WIDTH as usize }>, PACKET>;
+
+/// Sends the picture of a part. `None` if the part has none: it has no end, or is too far away.
+#[inline(never)]
+fn show(
+    part: &Part<Number>,
+    frame: u16,
+    sender: &mut Device,
+    line: &mut (impl Read + ReadReady + Write),
+) -> Option<&'static str> {
+    let fit = Fit::of(&part.bounds())?;
+    let camera = fit.orthographic(None).ok()?;
+    let light = Lambert::new(Fit::to_light(), Number::hundredths(15)).ok()?;
+    let size = Size::new(WIDTH, HEIGHT).ok()?;
+    let mut picture = Picture::new(part, &camera, size, light, Gray8(0));
+    let mut row = [Gray8(0); WIDTH as usize];
+    Some(match serve(&mut picture, frame, sender, line, &mut row, &mut Looks::new()) {
+        Ok(Delivery::Acknowledged { .. }) => "a picture was sent\n",
+        Ok(Delivery::Unheard) => "nobody answers\n",
+        Err(_) => "the picture can't be sent\n",
+    })
+}
+
+/// Waits for a part, and sends its picture.
+fn answer(
+    inbox: &mut Inbox<'_>,
+    frame: u16,
+    sender: &mut Device,
+    line: &mut (impl Read + ReadReady + Write),
+) -> &'static str {
+    let said = match take(inbox, line, &mut Looks::new()) {
+        Ok(bytes) => match Part::from_bytes(bytes) {
+            Ok(part) => show(&part, frame, sender, line).ok_or(Refusal::Invalid),
+            Err(error) => Err(error.into()),
+        },
+        Err(_) => return "the line failed\n",
+    };
+    said.unwrap_or_else(|why| {
+        inbox.refuse(why);
+        "a part was refused\n"
+    })
+}
+
+#[board::entry]
+fn main() -> ! {
+    board::paint();
+    let mut line = board::uart();
+    let mut memory = [0; BYTES];
+    let mut inbox = Inbox::new(&mut memory, number::CODE);
+    let mut sender = Device::new(Predictive::new(), PATIENCE);
+    let mut frame = 0;
+    loop {
+        let said = answer(&mut inbox, frame, &mut sender, &mut line);
+        frame = frame.wrapping_add(1);
+        let Usage { stack, room } = Usage::measure();
+        log!(info, "{=str} stack: {=usize} of {=usize} bytes", said, stack, room);
+        board::say(said);
+        board::say("stack ");
+        board::say_number(stack as u32);
+        board::say(" of ");
+        board::say_number(room as u32);
+        board::say("\n");
+    }
+}
