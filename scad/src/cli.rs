@@ -2,7 +2,9 @@
 
 use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
+use scancsg_scad::map::Map;
 use scancsg_scad::picture::{Angles, BACKGROUND, View, render, write_png};
+use scancsg_scad::program::{NumberType, program};
 use scancsg_scad::scene::Scene;
 use scancsg_scad::{Error, ErrorKind, Lowered, Model, lower, measure, parse, read, rust};
 use std::fs;
@@ -44,6 +46,15 @@ pub struct Options {
     /// Writes a constant of Rust: the part in typed solids, in `f32`.
     #[arg(long, value_name = "RS")]
     rust: Option<PathBuf>,
+    /// Writes the part as a program: bytes that a device reads.
+    #[arg(long, value_name = "SCENE")]
+    program: Option<PathBuf>,
+    /// The number type of the program: f32, or i16f16 for processors without floating point.
+    #[arg(long, value_name = "TYPE", default_value_t, value_parser = number)]
+    number: NumberType,
+    /// Makes the part so many times as large.
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = factor)]
+    scale: f64,
     /// Goes on without what isn't modelled, and says what that is.
     #[arg(long)]
     skip: bool,
@@ -67,6 +78,16 @@ fn angles(text: &str) -> Result<Angles, String> {
     parts.map(Angles).ok_or_else(|| "three angles are written 55,0,25".into())
 }
 
+fn number(text: &str) -> Result<NumberType, String> {
+    let found = NumberType::ALL.into_iter().find(|number| number.name() == text);
+    found.ok_or_else(|| "a number type is f32 or i16f16".into())
+}
+
+fn factor(text: &str) -> Result<f64, String> {
+    let factor = text.parse().ok().filter(|factor| (1e-9..=1e9).contains(factor));
+    factor.ok_or_else(|| "a factor is from 1e-9 to 1e9".into())
+}
+
 /// What the command does. An error comes with the exit code.
 pub fn run(options: &Options) -> Result<(), (u8, Error)> {
     act(options).map_err(|error| {
@@ -82,9 +103,12 @@ pub fn run(options: &Options) -> Result<(), (u8, Error)> {
 fn act(options: &Options) -> Result<(), Error> {
     let began = Instant::now();
     let text = working("reading", || read(&options.part))?;
-    let Lowered { tree, skipped } = working("modelling", || lower(&parse(&text)?, options.skip))?;
+    let Lowered { mut tree, skipped } = working("modelling", || lower(&parse(&text)?, options.skip))?;
     for error in &skipped {
         eprintln!("left out: {error}");
+    }
+    if options.scale != 1.0 {
+        tree.place(&Map::scaling(options.scale));
     }
     let counts = tree.counts();
     let model = Model::of(tree)?;
@@ -99,6 +123,12 @@ fn act(options: &Options) -> Result<(), Error> {
     if let Some(path) = &options.rust {
         let failed = |error| Error::file(format!("{}: {error}", path.display()));
         fs::write(path, rust(&model, "PART")?).map_err(failed)?;
+    }
+    if let Some(path) = &options.program {
+        let made = program(&model, options.number)?;
+        fs::write(path, &made.bytes)
+            .map_err(|error| Error::file(format!("{}: {error}", path.display())))?;
+        say!("{made:?}");
     }
     if options.report {
         say!("solids     {}", counts.solids);

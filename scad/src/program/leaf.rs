@@ -1,0 +1,18 @@
+//! The solids that a program is made of.
+
+use scancsg::solid::{Cone, Cuboid, Cylinder, Polyhedron, Sphere, Torus};
+
+/// The most faces of a polyhedron that is one part. One with more is an intersection of several.
+pub const FACES: usize = 12;
+
+scancsg::leaves! {
+    /// All that the parts of a program may be, for whoever reads one on a host. Firmware names what it needs.
+    pub enum Leaf<S> {
+        Cylinder(Cylinder<S>),
+        Cuboid(Cuboid<S>),
+        Sphere(Sphere<S>),
+        Cone(Cone<S>),
+        Torus(Torus<S>),
+        Polyhedron(Polyhedron<S, FACES>),
+    }
+}
