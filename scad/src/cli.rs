@@ -4,12 +4,12 @@ use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
 use scancsg_scad::map::Map;
 use scancsg_scad::picture::{Angles, BACKGROUND, View, render, write_png};
-use scancsg_scad::program::{NumberType, program};
+use scancsg_scad::program::{NumberType, firmware, program};
 use scancsg_scad::scene::Scene;
 use scancsg_scad::{Error, ErrorKind, Lowered, Model, lower, measure, parse, read, rust};
 use std::fs;
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// Prints a line. Whoever reads it may have gone.
@@ -49,6 +49,9 @@ pub struct Options {
     /// Writes the part as a program: bytes that a device reads.
     #[arg(long, value_name = "SCENE")]
     program: Option<PathBuf>,
+    /// Writes Rust for firmware: room for the program, its bytes, and a camera.
+    #[arg(long, value_name = "RS")]
+    firmware: Option<PathBuf>,
     /// The number type of the program: f32, or i16f16 for processors without floating point.
     #[arg(long, value_name = "TYPE", default_value_t, value_parser = number)]
     number: NumberType,
@@ -103,7 +106,8 @@ pub fn run(options: &Options) -> Result<(), (u8, Error)> {
 fn act(options: &Options) -> Result<(), Error> {
     let began = Instant::now();
     let text = working("reading", || read(&options.part))?;
-    let Lowered { mut tree, skipped } = working("modelling", || lower(&parse(&text)?, options.skip))?;
+    let Lowered { mut tree, skipped } =
+        working("modelling", || lower(&parse(&text)?, options.skip))?;
     for error in &skipped {
         eprintln!("left out: {error}");
     }
@@ -121,14 +125,17 @@ fn act(options: &Options) -> Result<(), Error> {
         say!("{} in {:.0?}", path.display(), began.elapsed());
     }
     if let Some(path) = &options.rust {
-        let failed = |error| Error::file(format!("{}: {error}", path.display()));
-        fs::write(path, rust(&model, "PART")?).map_err(failed)?;
+        save(path, rust(&model, "PART")?.as_bytes())?;
     }
-    if let Some(path) = &options.program {
+    if options.program.is_some() || options.firmware.is_some() {
         let made = program(&model, options.number)?;
-        fs::write(path, &made.bytes)
-            .map_err(|error| Error::file(format!("{}: {error}", path.display())))?;
-        say!("{made:?}");
+        if let Some(path) = &options.program {
+            save(path, &made.bytes)?;
+        }
+        if let Some(path) = &options.firmware {
+            let view = View::of_all(&scene, options.camera, options.size)?;
+            save(path, firmware(&made, &view, 32).as_bytes())?;
+        }
     }
     if options.report {
         say!("solids     {}", counts.solids);
@@ -148,6 +155,10 @@ fn act(options: &Options) -> Result<(), Error> {
         say!("modelled: {} solids, {} operators", counts.solids, counts.operators);
     }
     Ok(())
+}
+
+fn save(path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    fs::write(path, bytes).map_err(|error| Error::file(format!("{}: {error}", path.display())))
 }
 
 /// Shows that something takes its time, if it does and if somebody is looking.

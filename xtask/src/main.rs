@@ -13,6 +13,7 @@ mod faults;
 mod host;
 mod layers;
 mod log;
+mod part;
 mod paths;
 mod pico;
 #[path = "../../examples/bench/points.rs"]
@@ -52,6 +53,9 @@ enum Chore {
 
     /// Count where the instructions of a part of the example `bench` go
     Profile(profile::Profile),
+
+    /// Build firmware with parts that `scancsg-scad --firmware` made, and print what they take
+    Part(part::Parts),
 
     /// Build the page for browsers, `target/web/scancsg.html`
     Web(web::Web),
@@ -99,6 +103,7 @@ fn main() -> ExitCode {
         }
         Chore::Faults(chosen) => faults::check(chosen.boards(), chosen.number),
         Chore::Profile(chosen) => profile::show(&chosen),
+        Chore::Part(chosen) => part::measure(&chosen),
         Chore::Web(chosen) => web::run(&chosen),
         Chore::Python => python::check(),
         Chore::Ci(chosen) => ci::run(&chosen),

@@ -2,10 +2,14 @@
 //!
 //! The repository's `docs/program.md` has the format. Solids of a turned frame share a pose.
 
+mod firmware;
+mod kind;
 mod leaf;
 mod numbers;
 mod part;
 
+pub use firmware::firmware;
+pub use kind::Kind;
 pub use leaf::{FACES, Leaf};
 pub use numbers::NumberType;
 
@@ -27,14 +31,18 @@ pub struct Bytes {
     pub parts: usize,
     /// How many poses there are.
     pub poses: usize,
-    /// How many parts there are of each kind, by the number of the kind.
-    pub kinds: [usize; KINDS],
+    /// How many parts there are of each of [`Kind::ALL`].
+    pub kinds: [usize; Kind::ALL.len()],
     /// The most faces of a polyhedron; 0 without one.
     pub faces: usize,
 }
 
-/// One more than the largest number of a kind.
-pub const KINDS: usize = 9;
+impl Bytes {
+    /// The kinds of its parts.
+    pub fn kinds(&self) -> impl Iterator<Item = Kind> {
+        Kind::ALL.into_iter().zip(self.kinds).filter(|(_, count)| *count > 0).map(|(kind, _)| kind)
+    }
+}
 
 const HEADER: usize = 8;
 const UNITE: u8 = 0xf0;
@@ -83,10 +91,15 @@ pub fn program(model: &Model, number: NumberType) -> Result<Bytes, Error> {
         to: Writer::new(number),
         frames: &frames,
         parts: 0,
-        kinds: [0; KINDS],
+        kinds: [0; Kind::ALL.len()],
         faces: 0,
     };
-    let mut placed: Vec<_> = model.frames.iter().zip(&frames).filter_map(|(axes, pose)| Some((pose.as_ref()?, axes))).collect();
+    let mut placed: Vec<_> = model
+        .frames
+        .iter()
+        .zip(&frames)
+        .filter_map(|(axes, pose)| Some((pose.as_ref()?, axes)))
+        .collect();
     placed.sort_by_key(|(pose, _)| **pose);
     for (_, axes) in placed {
         writing.to.bytes.push(1);
@@ -111,7 +124,7 @@ struct Writing<'a> {
     /// The pose of each frame.
     frames: &'a [Option<usize>],
     parts: usize,
-    kinds: [usize; KINDS],
+    kinds: [usize; Kind::ALL.len()],
     faces: usize,
 }
 
@@ -179,14 +192,12 @@ impl Writing<'_> {
         })?;
         let flag = |is_there, bit| if is_there { bit } else { 0 };
         let has = flag(solid.color.is_some(), PAINTED) | flag(pose.is_some(), POSED);
-        self.to.bytes.extend([kind, has]);
+        self.to.bytes.extend([kind.tag(), has]);
         self.to.bytes.extend(solid.color.into_iter().flat_map(|color| [color.r, color.g, color.b]));
         self.to.bytes.extend(pose.map(|pose| pose as u8));
         self.to.bytes.extend(numbers.bytes);
         self.parts += 1;
-        if let Some(count) = self.kinds.get_mut(usize::from(kind)) {
-            *count += 1;
-        }
+        self.kinds[kind as usize] += 1;
         self.faces = self.faces.max(faces.len());
         Ok(())
     }

@@ -1,5 +1,6 @@
 //! Solids as parts of a program: the byte of their kind, and their numbers.
 
+use super::kind::Kind;
 use super::leaf::Leaf;
 use super::numbers::{NumberType, Writer};
 use crate::map::{Map, Vector};
@@ -8,55 +9,46 @@ use crate::tree::{Convex, Form};
 use scancsg::program::{BytesError, Program};
 use scancsg::scalar::{I16F16, Scalar};
 
-const CYLINDER: u8 = 1;
-const CUBOID: u8 = 2;
-const SPHERE: u8 = 3;
-const CONE: u8 = 4;
-const TORUS: u8 = 5;
-const POLYHEDRON: u8 = 7;
-const SCALED: u8 = 8;
-
 /// The kind of a solid, and its numbers. Of a polyhedron, these faces.
-pub(super) fn write(body: &Body, faces: &[(Vector, f64)], to: &mut Writer) -> u8 {
+pub(super) fn write(body: &Body, faces: &[(Vector, f64)], to: &mut Writer) -> Kind {
     match body {
         Body::Cuboid(corners) => {
             corners.iter().for_each(|corner| to.vector(*corner));
-            CUBOID
+            Kind::Cuboid
         }
-        Body::Cylinder { axis, at, radius, ends } => round(to, CYLINDER, *axis, *at, &[*radius], *ends),
-        Body::Cone { axis, at, radii, ends } => round(to, CONE, *axis, *at, radii, *ends),
+        Body::Cylinder { axis, at, radius, ends } => {
+            round(to, Kind::Cylinder, *axis, *at, &[*radius], *ends)
+        }
+        Body::Cone { axis, at, radii, ends } => round(to, Kind::Cone, *axis, *at, radii, *ends),
         Body::Sphere { center, radius } => {
             to.vector(*center);
             to.number(*radius);
-            SPHERE
+            Kind::Sphere
         }
         Body::Torus { axis, center, ring, tube } => {
             to.vector(*center);
             to.bytes.push(*axis as u8);
             to.number(*ring);
             to.number(*tube);
-            TORUS
+            Kind::Torus
         }
         Body::Convex(convex) => {
             polyhedron(convex, faces, to);
-            POLYHEDRON
+            Kind::Polyhedron
         }
-        Body::Stretched(form, map) => {
-            stretched(form, map, to);
-            SCALED
-        }
+        Body::Stretched(form, map) => stretched(form, map, to),
     }
 }
 
 /// A point of the axis, the radii, the axis, and where it ends.
 fn round(
     to: &mut Writer,
-    kind: u8,
+    kind: Kind,
     axis: usize,
     [u, v]: [f64; 2],
     radii: &[f64],
     ends: [f64; 2],
-) -> u8 {
+) -> Kind {
     to.vector(match axis {
         0 => Vector::new(0.0, u, v),
         1 => Vector::new(u, 0.0, v),
@@ -86,18 +78,20 @@ fn polyhedron(convex: &Convex, faces: &[(Vector, f64)], to: &mut Writer) {
     to.vector(high.map(|part| part + room));
 }
 
-fn stretched(form: &Form, map: &Map, to: &mut Writer) {
+fn stretched(form: &Form, map: &Map, to: &mut Writer) -> Kind {
     let [x, y, z] = map.columns.map(|column| column.to_array());
     for row in 0..3 {
         [x, y, z].into_iter().for_each(|column| to.number(column[row]));
     }
     to.vector(map.shift);
-    let kind = to.bytes.len();
-    to.bytes.push(SPHERE);
+    let place = to.bytes.len();
+    to.bytes.push(0);
     let origin = Vector::new(0.0, 0.0, 0.0);
     let inner = match form {
-        Form::Cylinder { radius, heights } => round(to, CYLINDER, 2, [0.0; 2], &[*radius], *heights),
-        Form::Cone { radii, heights } => round(to, CONE, 2, [0.0; 2], radii, *heights),
+        Form::Cylinder { radius, heights } => {
+            round(to, Kind::Cylinder, 2, [0.0; 2], &[*radius], *heights)
+        }
+        Form::Cone { radii, heights } => round(to, Kind::Cone, 2, [0.0; 2], radii, *heights),
         Form::Torus { ring, tube } => {
             let body = Body::Torus { axis: 2, center: origin, ring: *ring, tube: *tube };
             write(&body, &[], to)
@@ -108,14 +102,15 @@ fn stretched(form: &Form, map: &Map, to: &mut Writer) {
             write(&Body::Sphere { center: origin, radius }, &[], to)
         }
     };
-    to.bytes[kind] = inner;
+    to.bytes[place] = inner.tag();
+    inner.scaled()
 }
 
 /// Whether a device takes a part: it alone as a program, read as devices read.
-pub(super) fn check(number: NumberType, kind: u8, numbers: &[u8]) -> Result<(), BytesError> {
+pub(super) fn check(number: NumberType, kind: Kind, numbers: &[u8]) -> Result<(), BytesError> {
     let length = (super::HEADER + 2 + numbers.len()) as u16;
     let mut bytes = super::header(number, length, 0);
-    bytes.extend([kind, 0]);
+    bytes.extend([kind.tag(), 0]);
     bytes.extend(numbers);
     match number {
         NumberType::F32 => read::<f32>(&bytes),
