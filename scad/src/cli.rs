@@ -1,35 +1,33 @@
 //! The command line.
 
+use crate::console::{say, working};
+use crate::report;
 use clap::Parser;
-use indicatif::{ProgressBar, ProgressStyle};
 use scancsg_scad::map::Map;
 use scancsg_scad::picture::{Angles, BACKGROUND, View, render, write_png};
 use scancsg_scad::program::{NumberType, firmware, program};
 use scancsg_scad::scene::Scene;
-use scancsg_scad::{Error, ErrorKind, Lowered, Model, lower, measure, parse, read, rust};
+use scancsg_scad::{Error, ErrorKind, Lowered, Model, lower, parse, read, rust};
 use std::fs;
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
-
-/// Prints a line. Whoever reads it may have gone.
-macro_rules! say {
-    ($($line:tt)*) => {{ let _ = writeln!(io::stdout(), $($line)*); }};
-}
+use std::time::Instant;
 
 /// Reads a part of OpenSCAD's and shows, measures or checks it.
 ///
-/// Without --out and --report, it says only whether the part is modelled.
+/// Without an option, it says only whether the part is modelled.
 #[derive(Debug, Parser)]
 #[command(
     version,
+    max_term_width = 80,
     after_help = "\
-Exit codes: 0 it worked; 1 a file can't be read or written; 2 wrong options; 3 the file has an error;
-4 something isn't modelled (--skip goes on without it).
+Exit codes: 0 it worked; 1 a file can't be read or written; 2 wrong options;
+3 the file has an error, or the part doesn't fit; 4 something isn't modelled
+(--skip goes on without it).
 
-Modelled: cube, sphere, cylinder, convex polyhedron, circle, square, polygon, group, union, difference,
-intersection, multmatrix, resize, color, render, linear_extrude without twist, rotate_extrude, offset, hull,
-minkowski of unions of convex solids."
+Modelled: cube, sphere, cylinder, convex polyhedron, circle, square, polygon,
+text, group, union, difference, intersection, multmatrix, resize, color, render,
+linear_extrude without twist, rotate_extrude, offset, hull, minkowski of unions
+of convex solids."
 )]
 pub struct Options {
     /// The part: a .csg file, or a .scad file where `openscad` is installed.
@@ -127,48 +125,35 @@ fn act(options: &Options) -> Result<(), Error> {
     if let Some(path) = &options.rust {
         save(path, rust(&model, "PART")?.as_bytes())?;
     }
-    if options.program.is_some() || options.firmware.is_some() {
-        let made = program(&model, options.number)?;
-        if let Some(path) = &options.program {
-            save(path, &made.bytes)?;
-        }
-        if let Some(path) = &options.firmware {
-            let view = View::of_all(&scene, options.camera, options.size)?;
-            save(path, firmware(&made, &view, 32).as_bytes())?;
-        }
+    let made = program(&model, options.number);
+    if let Some(path) = &options.program {
+        save(path, &made.clone()?.bytes)?;
     }
+    if let Some(path) = &options.firmware {
+        let (made, corners) = (made.clone()?, scene.corners());
+        let spans = corners.map(|corners| working("tracing", || made.spans(corners)));
+        let spans = spans.transpose()?.flatten().unwrap_or(SPANS);
+        let view = View::of_all(&scene, options.camera, options.size)?;
+        save(path, firmware(&made, &view, spans.max(SPANS)).as_bytes())?;
+    }
+    let is_written = [&options.out, &options.rust, &options.program, &options.firmware]
+        .iter()
+        .any(|path| path.is_some());
     if options.report {
-        say!("solids     {}", counts.solids);
-        say!("operators  {}, on {} levels", counts.operators, counts.levels);
-        say!("frames     {}", model.frames.len());
-        say!("modelled   in {modelled:.1?}");
-        match working("measuring", || measure(&scene, options.pixels)) {
-            None => say!("volume     0"),
-            Some(measures) => {
-                say!("volume     {:.6} ± {:.6}", measures.volume, measures.volume_error);
-                say!("from       {:?}", measures.low.to_array());
-                say!("to         {:?}", measures.high.to_array());
-                say!("spans      {} on a line at most", measures.spans);
-            }
+        report::part(counts, &model, &scene, options.pixels, modelled);
+        match made {
+            Ok(made) => report::program(&made, &scene, options.camera)?,
+            Err(error) => say!("program    none in {}: {error}", options.number),
         }
-    } else if options.out.is_none() && options.rust.is_none() {
+    } else if !is_written {
         say!("modelled: {} solids, {} operators", counts.solids, counts.operators);
     }
     Ok(())
 }
 
+/// Room for spans of a single ray, if no more are needed.
+const SPANS: usize = 32;
+
 fn save(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     fs::write(path, bytes).map_err(|error| Error::file(format!("{}: {error}", path.display())))
-}
-
-/// Shows that something takes its time, if it does and if somebody is looking.
-fn working<T>(what: &'static str, work: impl FnOnce() -> T) -> T {
-    let bar = ProgressBar::new_spinner().with_message(what);
-    if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed}") {
-        bar.set_style(style);
-    }
-    bar.enable_steady_tick(Duration::from_millis(200));
-    let result = work();
-    bar.finish_and_clear();
-    result
 }

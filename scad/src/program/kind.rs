@@ -55,7 +55,8 @@ impl Kind {
     }
 
     /// Its type in Rust, for polyhedra of so many faces.
-    pub(super) fn solid(self, faces: usize) -> String {
+    #[must_use]
+    pub fn solid(self, faces: usize) -> String {
         let name = format!("{self:?}");
         match (self, name.strip_prefix("Scaled")) {
             (Self::Polyhedron, _) => format!("Polyhedron<S, {faces}>"),

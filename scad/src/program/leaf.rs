@@ -1,5 +1,7 @@
 //! The solids that a program is made of.
 
+use super::kind::Kind;
+use scancsg::scalar::Scalar;
 use scancsg::solid::{Cone, Cuboid, Cylinder, Polyhedron, Sphere, Torus};
 
 /// The most faces of a polyhedron that is one part. One with more is an intersection of several.
@@ -14,5 +16,19 @@ scancsg::leaves! {
         Cone(Cone<S>),
         Torus(Torus<S>),
         Polyhedron(Polyhedron<S, FACES>),
+    }
+}
+
+impl<S: Scalar> Leaf<S> {
+    /// What it is.
+    pub(super) fn kind_of(&self) -> Kind {
+        match self {
+            Self::Cylinder(_) => Kind::Cylinder,
+            Self::Cuboid(_) => Kind::Cuboid,
+            Self::Sphere(_) => Kind::Sphere,
+            Self::Cone(_) => Kind::Cone,
+            Self::Torus(_) => Kind::Torus,
+            Self::Polyhedron(_) => Kind::Polyhedron,
+        }
     }
 }

@@ -2,19 +2,26 @@
 //!
 //! The repository's `docs/program.md` has the format. Solids of a turned frame share a pose.
 
+mod cost;
+mod count;
 mod firmware;
 mod kind;
 mod leaf;
+mod memory;
 mod numbers;
 mod part;
+mod room;
 
+pub use count::Work;
 pub use firmware::firmware;
 pub use kind::Kind;
 pub use leaf::{FACES, Leaf};
+pub use memory::Memory;
 pub use numbers::NumberType;
 
 use crate::error::{Error, ErrorKind};
 use crate::map::Vector;
+use crate::picture::View;
 use crate::place::{Body, Model, Placed};
 use crate::tree::Tree;
 use numbers::Writer;
@@ -38,6 +45,14 @@ pub struct Bytes {
 }
 
 impl Bytes {
+    /// What a device does for a picture of it, in `f32`.
+    ///
+    /// # Errors
+    /// An [`Error`] for a program in another number type, and for one of more than 1,024 parts.
+    pub fn work(&self, view: &View, size: [u16; 2]) -> Result<Work, Error> {
+        count::count(&self.bytes, view, size)
+    }
+
     /// The kinds of its parts.
     pub fn kinds(&self) -> impl Iterator<Item = Kind> {
         Kind::ALL.into_iter().zip(self.kinds).filter(|(_, count)| *count > 0).map(|(kind, _)| kind)
