@@ -1,7 +1,7 @@
 //! Parts against an installed OpenSCAD: minutes, so only when asked for.
 //!
 //! ```sh
-//! cargo test --release -p scancsg-scad --test openscad -- --ignored --nocapture
+//! cargo test -p scancsg-scad --test openscad -- --ignored --nocapture
 //! ```
 //!
 //! `SCAD_PARTS` names another folder of `.csg` files. `SCAD_RECORD=1` writes the references anew.
@@ -11,10 +11,11 @@ mod support;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::{env, fs};
+use std::sync::Mutex;
+use std::{env, fs, thread};
 use support::mesh::Mesh;
-use support::reference::folder;
-use support::{compare, of_mesh, scene};
+use support::reference::{Reference, folder};
+use support::{Difference, compare, of_mesh, scene};
 
 /// How many facets what is meant to be round gets: circles; balls, and rings, which have the square of that.
 const CIRCLE: u32 = 96;
@@ -30,12 +31,27 @@ fn parts_are_what_openscad_makes_of_them_now() -> Result<(), Box<dyn Error>> {
         .collect::<Result<_, _>>()?;
     parts.retain(|path| path.extension().is_some_and(|extension| extension == "csg"));
     parts.sort();
+    // One OpenSCAD for each core, and each takes the next part.
+    let (next, done) = (Mutex::new(parts.iter()), Mutex::new(Vec::new()));
+    thread::scope(|scope| {
+        for _ in 0..thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(|| {
+                while let Some(path) = next.lock().ok().and_then(|mut next| next.next()) {
+                    let compared = compared(path).map_err(|error| error.to_string());
+                    if let Ok(mut done) = done.lock() {
+                        done.push((path, compared));
+                    }
+                }
+            });
+        }
+    });
+    let mut done = done.into_inner().map_err(|error| error.to_string())?;
+    done.sort_by_key(|(path, _)| *path);
+    assert_eq!(done.len(), parts.len());
     let (mut table, mut failed) = (String::new(), Vec::new());
-    for path in &parts {
+    for (path, compared) in done {
         let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let text = fs::read_to_string(path)?;
-        let reference = of_mesh(&openscad(&name, &text)?);
-        let off = compare(&scene(&text)?, &reference, 400)?;
+        let (reference, off) = compared.map_err(|error| format!("{name}: {error}"))?;
         println!(
             "{name:24} {:12.3} {:+.3} % {:.3} %",
             reference.volume,
@@ -56,6 +72,15 @@ fn parts_are_what_openscad_makes_of_them_now() -> Result<(), Box<dyn Error>> {
     assert!(!parts.is_empty(), "no part was compared");
     assert!(failed.is_empty(), "{failed:?}");
     Ok(())
+}
+
+/// What OpenSCAD makes of a part, and how far the importer is off that.
+fn compared(path: &Path) -> Result<(Reference, Difference), Box<dyn Error>> {
+    let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let text = fs::read_to_string(path)?;
+    let reference = of_mesh(&openscad(&name, &text)?);
+    let off = compare(&scene(&text)?, &reference, 400)?;
+    Ok((reference, off))
 }
 
 /// The mesh that OpenSCAD makes of a part with more facets. What is there from a run before is taken.
