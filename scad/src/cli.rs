@@ -53,6 +53,10 @@ pub struct Options {
     /// The number type of the program: f32, or i16f16 for processors without floating point.
     #[arg(long, value_name = "TYPE", default_value_t, value_parser = number)]
     number: NumberType,
+    /// The most faces of a polyhedron of the program. One with more is an
+    /// intersection of several. The example `device` takes 8.
+    #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u8).range(4..=12))]
+    faces: u8,
     /// Makes the part so many times as large.
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = factor)]
     scale: f64,
@@ -125,7 +129,7 @@ fn act(options: &Options) -> Result<(), Error> {
     if let Some(path) = &options.rust {
         save(path, rust(&model, "PART")?.as_bytes())?;
     }
-    let made = program(&model, options.number);
+    let made = program(&model, options.number, options.faces.into());
     if let Some(path) = &options.program {
         save(path, &made.clone()?.bytes)?;
     }

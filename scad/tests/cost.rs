@@ -7,7 +7,7 @@
 mod support;
 
 use scancsg_scad::picture::{Angles, View};
-use scancsg_scad::program::{NumberType, program};
+use scancsg_scad::program::{FACES, NumberType, program};
 use scancsg_scad::scene::Scene;
 use scancsg_scad::{Model, lower, parse};
 use std::error::Error;
@@ -37,7 +37,7 @@ fn estimates_are_near_what_was_measured() -> Result<(), Box<dyn Error>> {
         };
         let text = fs::read_to_string(folder().join(part).with_extension("csg"))?;
         let model = Model::of(lower(&parse(&text)?, false)?.tree)?;
-        let made = program(&model, NumberType::F32)?;
+        let made = program(&model, NumberType::F32, FACES)?;
         let seen = View::of_all(&Scene::of(&model)?, Angles(camera), SIZE)?;
         let time = made.work(&seen, SIZE)?.instructions(made.parts) as f64;
         let off = |estimated: f64, measured: f64| (estimated - measured) / measured;

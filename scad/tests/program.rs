@@ -10,7 +10,7 @@ use scancsg::solid::{Bounds, Scan, Solid};
 use scancsg::span::SpanList;
 use scancsg_scad::map::Map;
 use scancsg_scad::picture::{Angles, BACKGROUND, Rgb8, View, render};
-use scancsg_scad::program::{Leaf, NumberType, program};
+use scancsg_scad::program::{FACES, Leaf, NumberType, program};
 use scancsg_scad::scene::Scene;
 use scancsg_scad::{ErrorKind, Model, lower, parse};
 use std::error::Error;
@@ -62,7 +62,7 @@ where
     Read<S>: Sync,
 {
     let model = model(&fs::read_to_string(path)?)?;
-    let made = match program(&model, number) {
+    let made = match program(&model, number, FACES) {
         // Scaled solids have no form as bytes.
         Err(error) if error.to_string().contains("stretched") => return Ok(()),
         made => made?,
@@ -97,7 +97,7 @@ fn programs_in_fixed_point_are_the_parts() -> Result<(), Box<dyn Error>> {
 #[test]
 fn what_has_no_room_is_an_error_that_says_what_helps() -> Result<(), Box<dyn Error>> {
     let far = "cube(size = [20000, 1, 1]);";
-    let Err(error) = program(&model(far)?, NumberType::I16F16) else {
+    let Err(error) = program(&model(far)?, NumberType::I16F16, FACES) else {
         return Err("it fits".into());
     };
     assert!(
@@ -107,11 +107,11 @@ fn what_has_no_room_is_an_error_that_says_what_helps() -> Result<(), Box<dyn Err
     assert_eq!(error.line, 1);
     let mut smaller = lower(&parse(far)?, false)?.tree;
     smaller.place(&Map::scaling(0.2));
-    assert!(program(&Model::of(smaller)?, NumberType::I16F16).is_ok());
-    assert!(program(&model(far)?, NumberType::F32).is_ok());
+    assert!(program(&Model::of(smaller)?, NumberType::I16F16, FACES).is_ok());
+    assert!(program(&model(far)?, NumberType::F32, FACES).is_ok());
 
     let thin = "cylinder(h = 5, r1 = 1e-7, r2 = 1e-7);";
-    let Err(error) = program(&model(thin)?, NumberType::I16F16) else {
+    let Err(error) = program(&model(thin)?, NumberType::I16F16, FACES) else {
         return Err("it fits".into());
     };
     assert!(error.to_string().contains("too small"), "{error}");
@@ -119,9 +119,14 @@ fn what_has_no_room_is_an_error_that_says_what_helps() -> Result<(), Box<dyn Err
     // 3,000 boxes have more than 65,535 bytes.
     let many: String =
         (0..3_000).map(|i| format!("multmatrix([[1,0,0,{i}],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) {{ cube(size = [0.5, 1, 1]); }}\n")).collect();
-    let Err(error) = program(&model(&many)?, NumberType::F32) else { return Err("it fits".into()) };
+    let Err(error) = program(&model(&many)?, NumberType::F32, FACES) else {
+        return Err("it fits".into());
+    };
     assert!(error.to_string().contains("of 65535"), "{error}");
-    assert!(program(&model("difference() { cube(size = [1, 1, 0]); }")?, NumberType::F32).is_err());
+    assert!(
+        program(&model("difference() { cube(size = [1, 1, 0]); }")?, NumberType::F32, FACES)
+            .is_err()
+    );
     Ok(())
 }
 
@@ -132,7 +137,7 @@ fn poses_and_parts_are_few() -> Result<(), Box<dyn Error>> {
     let text = format!(
         "{turned} {{ cube(size = [1, 1, 1]); }} {turned} {{ cube(size = [3, 1, 1]); }} cube(size = [1, 2, 3]);"
     );
-    let made = program(&model(&text)?, NumberType::F32)?;
+    let made = program(&model(&text)?, NumberType::F32, FACES)?;
     assert_eq!((made.parts, made.poses), (3, 1));
     // 30 sides and two ends: three of twelve faces at most.
     let corners: Vec<String> = (0..30)
@@ -141,8 +146,10 @@ fn poses_and_parts_are_few() -> Result<(), Box<dyn Error>> {
         .collect();
     let text =
         format!("linear_extrude(height = 2) {{ polygon(points = [{}]); }}", corners.join(", "));
-    let made = program(&model(&text)?, NumberType::F32)?;
+    let made = program(&model(&text)?, NumberType::F32, FACES)?;
     assert_eq!((made.parts, made.faces), (3, 11));
+    let few = program(&model(&text)?, NumberType::F32, 8)?;
+    assert_eq!((few.parts, few.faces), (4, 8));
     let read = Read::<f32>::from_bytes(&made.bytes)?;
     let exact = 15.0 * (std::f64::consts::TAU / 30.0).sin() * 2.0;
     let got = volume(&read, [[-1.0, -1.0, 0.0], [1.0, 1.0, 2.0]])?;

@@ -11,13 +11,13 @@ use std::fmt::Write;
 ///
 /// ```
 /// use scancsg_scad::picture::{Angles, View};
-/// use scancsg_scad::program::{NumberType, firmware, program};
+/// use scancsg_scad::program::{FACES, NumberType, firmware, program};
 /// use scancsg_scad::scene::Scene;
 /// use scancsg_scad::{Model, lower, parse};
 ///
 /// let model = Model::of(lower(&parse("cube(size = [3, 2, 1]);")?, false)?.tree)?;
 /// let view = View::of_all(&Scene::of(&model)?, Angles::default(), [160, 120])?;
-/// let text = firmware(&program(&model, NumberType::F32)?, &view, 32);
+/// let text = firmware(&program(&model, NumberType::F32, FACES)?, &view, 32);
 /// assert!(text.contains("pub type Part = Program<Leaf<f32>, 1, 0, 32>;"));
 /// # Ok::<(), scancsg_scad::Error>(())
 /// ```

@@ -4,7 +4,7 @@ use super::kind::Kind;
 use scancsg::scalar::Scalar;
 use scancsg::solid::{Cone, Cuboid, Cylinder, Polyhedron, Sphere, Torus};
 
-/// The most faces of a polyhedron that is one part. One with more is an intersection of several.
+/// The most faces that a polyhedron of a program may have. One with more is an intersection of several.
 pub const FACES: usize = 12;
 
 scancsg::leaves! {

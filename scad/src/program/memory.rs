@@ -75,7 +75,7 @@ fn of<S: Scalar, T: Scan<OrthographicRays<S>> + Shape<Scalar = S>>() -> [usize; 
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Kind, NumberType, program};
+    use super::super::{FACES, Kind, NumberType, program};
     use crate::{Model, lower, parse};
     use scancsg::geom::OrthographicRays;
     use scancsg::program::Program;
@@ -110,7 +110,8 @@ mod tests {
         let cases =
             [(few, real::<Program<Few<f32>, 3>>()), (many, real::<Program<Many<f32>, 3>>())];
         for (text, real) in cases {
-            let made = program(&Model::of(lower(&parse(text)?, false)?.tree)?, NumberType::F32)?;
+            let made =
+                program(&Model::of(lower(&parse(text)?, false)?.tree)?, NumberType::F32, FACES)?;
             let memory = made.memory();
             for (got, want) in [memory.program, memory.picture].into_iter().zip(real) {
                 assert!(got.abs_diff(want) * 20 <= want, "{got} {want} {:?}", Kind::ALL);

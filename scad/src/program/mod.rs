@@ -72,15 +72,15 @@ fn header(number: NumberType, length: u16, poses: u8) -> Vec<u8> {
     vec![b'S', b'P', 1, number.tag(), low, high, poses, 0]
 }
 
-/// The program of a part.
+/// The program of a part. A polyhedron of more faces than `faces`, from 4 to [`FACES`], is an intersection of several.
 ///
 /// ```
 /// use scancsg::program::Program;
-/// use scancsg_scad::program::{Leaf, NumberType, program};
+/// use scancsg_scad::program::{FACES, Leaf, NumberType, program};
 /// use scancsg_scad::{Model, lower, parse};
 ///
 /// let part = lower(&parse("difference() { cube(size = [3, 2, 1]); cylinder(h = 9, r1 = 1, r2 = 1); }")?, false)?;
-/// let made = program(&Model::of(part.tree)?, NumberType::F32)?;
+/// let made = program(&Model::of(part.tree)?, NumberType::F32, FACES)?;
 /// assert_eq!((made.parts, made.poses, made.bytes.len()), (2, 0, 62));
 /// let read = Program::<Leaf<f32>, 2>::from_bytes(&made.bytes)?;
 /// assert_eq!(read.part_count(), 2);
@@ -90,7 +90,7 @@ fn header(number: NumberType, length: u16, poses: u8) -> Vec<u8> {
 /// # Errors
 /// An [`Error`] for an empty part, for numbers out of the type's range, for more than 254 turned frames, and for
 /// more bytes than a program may have.
-pub fn program(model: &Model, number: NumberType) -> Result<Bytes, Error> {
+pub fn program(model: &Model, number: NumberType, faces: usize) -> Result<Bytes, Error> {
     let mut frames = vec![None; model.frames.len()];
     let mut used = 0;
     model.tree.for_each(&mut |solid: &Placed| {
@@ -107,6 +107,7 @@ pub fn program(model: &Model, number: NumberType) -> Result<Bytes, Error> {
         frames: &frames,
         parts: 0,
         kinds: [0; Kind::ALL.len()],
+        most_faces: faces.clamp(4, FACES),
         faces: 0,
     };
     let mut placed: Vec<_> = model
@@ -140,6 +141,8 @@ struct Writing<'a> {
     frames: &'a [Option<usize>],
     parts: usize,
     kinds: [usize; Kind::ALL.len()],
+    /// The most faces of a polyhedron that there may be, and that there are.
+    most_faces: usize,
     faces: usize,
 }
 
@@ -180,7 +183,7 @@ impl Writing<'_> {
     fn solid(&mut self, solid: &Placed) -> Result<(), Error> {
         let Body::Convex(convex) = &solid.body else { return self.part(solid, &[]) };
         // In turn, so that all of them are about as large.
-        let count = convex.planes.len().div_ceil(FACES).max(1);
+        let count = convex.planes.len().div_ceil(self.most_faces).max(1);
         for index in 0..count {
             let faces: Vec<_> = convex.planes.iter().copied().skip(index).step_by(count).collect();
             self.part(solid, &faces)?;
