@@ -11,6 +11,7 @@
 mod board;
 
 use core::f64::consts::{FRAC_PI_2, TAU};
+use scancsg::Error;
 use scancsg::geom::{Axis, Pose, Ray, Vec3, vec3};
 use scancsg::program::Program;
 use scancsg::scalar::{Number as _, Real, Scalar};
@@ -50,67 +51,58 @@ fn angle(part: i32, of: i32) -> Number {
 }
 
 /// The arm, stretched out along x: a drilled bar for each link, balls for its joints, and a cup at its end.
-fn arm() -> Result<Arm, &'static str> {
+fn arm() -> Result<Arm, Error> {
     let rod = |x, radius, low, high| {
-        Cylinder::along(Axis::Z, [n(x), n(0)], n(radius), n(low), n(high))
-            .map_err(|error| error.as_str())
+        Cylinder::along(Axis::Z, [n(x), n(0)], n(radius), n(low), n(high)).map(Part::Cylinder)
     };
     let bar = |from, to| {
-        Cuboid::between(vec3(n(from), n(-20), n(-15)), vec3(n(to), n(20), n(15)))
-            .map_err(|error| error.as_str())
+        Cuboid::between(vec3(n(from), n(-20), n(-15)), vec3(n(to), n(20), n(15))).map(Part::Cuboid)
     };
-    let ball = Sphere::around(Vec3::ZERO, n(30)).map_err(|error| error.as_str())?;
-    let built = || {
-        let mut arm = Arm::new(Part::Cuboid(bar(0, 150).ok()?));
-        arm.push(Part::Cylinder(rod(75, 12, -50, 50).ok()?)).ok()?;
-        arm.subtract(1).ok()?;
-        arm.push(Part::Sphere(ball)).ok()?;
-        let lower = arm.push(Part::Cuboid(bar(0, 120).ok()?)).ok()?;
-        arm.push(Part::Sphere(ball)).ok()?;
-        arm.push(Part::Cylinder(rod(140, 30, -30, 30).ok()?)).ok()?;
-        arm.push(Part::Cylinder(rod(140, 20, -10, 50).ok()?)).ok()?;
-        arm.subtract(1).ok()?;
-        arm.add_pose(Pose::IDENTITY).ok()?;
-        arm.add_pose(Pose::IDENTITY).ok()?;
-        for part in 0..arm.part_count() {
-            arm.place(part, Some(if part < lower { UPPER } else { LOWER })).ok()?;
-        }
-        Some(arm)
-    };
-    built().ok_or("the arm has more parts than there is room for")
+    let ball = Part::Sphere(Sphere::around(Vec3::ZERO, n(30))?);
+    let mut arm = Arm::new(bar(0, 150)?);
+    arm.push(rod(75, 12, -50, 50)?)?;
+    arm.subtract(1)?;
+    arm.push(ball)?;
+    let lower = arm.push(bar(0, 120)?)?;
+    arm.push(ball)?;
+    arm.push(rod(140, 30, -30, 30)?)?;
+    arm.push(rod(140, 20, -10, 50)?)?;
+    arm.subtract(1)?;
+    arm.add_pose(Pose::IDENTITY)?;
+    arm.add_pose(Pose::IDENTITY)?;
+    for part in 0..arm.part_count() {
+        arm.place(part, Some(if part < lower { UPPER } else { LOWER }))?;
+    }
+    Ok(arm)
 }
 
 /// Turns both joints: the shoulder once in all frames, the elbow to and fro.
-fn turn(arm: &mut Arm, frame: i32) -> Result<(), &'static str> {
-    let turn = |angle| Pose::<Number>::rotation_z(angle).map_err(|error| error.as_str());
-    let shoulder = turn(angle(frame, FRAMES))?;
+fn turn(arm: &mut Arm, frame: i32) -> Result<(), Error> {
+    let shoulder = Pose::<Number>::rotation_z(angle(frame, FRAMES))?;
     let (sway, _) = angle(frame, FRAMES).wide().sin_cos();
     let bend = Number::from_wide(sway * Number::from_f64(FRAC_PI_2).wide());
     // The elbow bends in its own frame, then is carried to the upper link's end, then turns with it.
-    let carried = || {
-        let elbow = Pose::translation(vec3(n(150), n(0), n(0))).ok()?;
-        turn(bend).ok()?.then(&elbow).ok()?.then(&shoulder).ok()
-    };
-    let elbow = carried().ok_or("the elbow is too far away")?;
-    arm.set_pose(UPPER, shoulder).map_err(|error| error.as_str())?;
-    arm.set_pose(LOWER, elbow).map_err(|error| error.as_str())
+    let carried = Pose::translation(vec3(n(150), n(0), n(0)))?;
+    let elbow = Pose::rotation_z(bend)?.then(&carried)?.then(&shoulder)?;
+    arm.set_pose(UPPER, shoulder)?;
+    Ok(arm.set_pose(LOWER, elbow)?)
 }
 
 /// What the lidar measures: a ring of rays in the arm's plane, from beside the arm.
-fn scan(arm: &Arm, mut measured: impl FnMut(Option<Number>)) -> Result<(), &'static str> {
+fn scan(arm: &Arm, mut measured: impl FnMut(Option<Number>)) -> Result<(), Error> {
     let mut list = SpanList::<Number, 32>::new();
     for index in 0..RAYS {
         let (sin, cos) = angle(index, RAYS).wide().sin_cos();
         let way = vec3(Number::from_wide(cos), Number::from_wide(sin), n(0));
-        let ray = Ray::new(vec3(n(230), n(230), n(0)), way).map_err(|error| error.as_str())?;
-        let hit = arm.hit(&ray, &mut list).map_err(|error| error.as_str())?;
+        let ray = Ray::new(vec3(n(230), n(230), n(0)), way)?;
+        let hit = arm.hit(&ray, &mut list)?;
         measured(hit.map(|hit| hit.t));
     }
     Ok(())
 }
 
 /// Turns the arm through all frames, and hands over what each of them looks like.
-fn run(mut show: impl FnMut(&Arm, i32) -> Result<(), &'static str>) -> Result<(), &'static str> {
+fn run(mut show: impl FnMut(&Arm, i32) -> Result<(), Error>) -> Result<(), Error> {
     let mut arm = arm()?;
     for frame in 0..FRAMES {
         turn(&mut arm, frame)?;
@@ -139,7 +131,7 @@ fn main() -> ! {
         Ok(())
     });
     if let Err(error) = result {
-        say(error);
+        say(error.as_str());
     }
     loop {
         board::finish(result.is_ok());
@@ -147,22 +139,20 @@ fn main() -> ! {
 }
 
 #[cfg(not(target_os = "none"))]
-fn main() -> Result<(), &'static str> {
+fn main() -> Result<(), Error> {
     use scancsg::render::{Gray8, Lambert, Orthographic, Picture, Size};
     run(|arm, frame| {
         let above = vec3(n(0), n(0), n(-100));
-        let camera = Orthographic::look_along(above, Vec3::ZERO, vec3(n(0), n(100), n(0)), n(680))
-            .map_err(|error| error.as_str())?;
-        let light = Lambert::new(vec3(n(-30), n(40), n(100)), n(20));
-        let light = light.map_err(|error| error.as_str())?;
-        let size = Size::new(60, 60).map_err(|error| error.as_str())?;
+        let up = vec3(n(0), n(100), n(0));
+        let camera = Orthographic::look_along(above, Vec3::ZERO, up, n(680))?;
+        let light = Lambert::new(vec3(n(-30), n(40), n(100)), n(20))?;
+        let size = Size::new(60, 60)?;
         let mut picture = Picture::new(arm, &camera, size, light, Gray8(0));
         println!("frame {frame}:");
         // A character is twice as high as it is wide.
         for y in (0..size.height()).step_by(2) {
             let mut row = [Gray8(0); 60];
-            let rendered = picture.scanline(y).and_then(|mut line| line.render(&mut row));
-            rendered.map_err(|error| error.as_str())?;
+            picture.scanline(y)?.render(&mut row)?;
             let dot = |pixel: &Gray8| char::from(b" .:-=+*#%@"[usize::from(pixel.0) / 26]);
             println!("{}", row.iter().map(dot).collect::<String>());
         }

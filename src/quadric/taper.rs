@@ -2,7 +2,7 @@
 
 use super::planes::Planes;
 use crate::geom::{Direction, Vec3};
-use crate::scalar::{Number, Scalar};
+use crate::scalar::{ConstOps, Number, Scalar, per_scalar};
 
 /// All points within a radius of a line through `base`, where the radius changes evenly from the plane
 /// of one cap to that of the other. The line's direction, the axis, is the normal of these planes.
@@ -27,7 +27,38 @@ pub(crate) struct Conic<S: Scalar> {
     pub(crate) step: [S::Unit; 3],
 }
 
+per_scalar! { $S: impl[] Taper<$S> {
+    /// As [`between`](Self::between), for constants.
+    pub(crate) const fn from_caps(
+        base: Vec3<$S>, [low, high]: [$S; 2], caps: &Planes<$S>,
+    ) -> Option<Self> {
+        type Ops<S> = ConstOps<S>;
+        let way = [Ops::<$S>::difference(caps.high, caps.low), Ops::<$S>::difference(high, low)];
+        match Ops::<$S>::normalized([way[0], way[1], Ops::<$S>::ZERO]) {
+            Some([along, outward, _]) => {
+                Some(Self { base, radii: [low, high], slant: [along, outward] })
+            }
+            None => None,
+        }
+    }
+} }
+
 impl<S: Scalar> Taper<S> {
+    /// The wall with a radius at the low cap and one at the high cap; `None` if the caps and the radii
+    /// coincide.
+    pub(crate) fn between(base: Vec3<S>, radii: [S; 2], caps: &Planes<S>) -> Option<Self> {
+        let [low, high] = radii;
+        let [along, outward, _] =
+            S::normalized([caps.high.minus(caps.low), high.minus(low), S::ZERO])?;
+        Some(Self { base, radii, slant: [along, outward] })
+    }
+
+    /// The larger radius.
+    pub(crate) fn widest(&self) -> S::Wide {
+        let [low, high] = self.radii;
+        low.max(high).wide()
+    }
+
     /// The radius at an offset along the axis.
     fn radius_at(&self, caps: &Planes<S>, height: S) -> S {
         let [low, high] = self.radii.map(S::wide);

@@ -19,6 +19,7 @@ mod group;
 mod leaf;
 pub(crate) mod planes;
 mod stage;
+pub(crate) mod taper;
 
 pub(crate) use active::view_each;
 pub use active::{GroupRow, Member};

@@ -10,6 +10,7 @@ pub mod cone_oracle;
 pub mod cylinder_table;
 pub mod expect;
 pub mod limits;
+pub mod gallery;
 pub mod link;
 pub mod number;
 pub mod oracle;

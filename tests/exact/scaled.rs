@@ -362,8 +362,11 @@ fn ellipsoids_in_fixed_point() {
     assert!(p99 <= 1.0, "{p99}");
     assert!(angle <= 0.002, "{angle}");
     // Made as large as it is, its own frame's units are those of the scene.
-    let asked = Asked { size: 1.0, ..asked };
-    let [p99, angle] = asked.check::<I16F16>();
-    assert!(p99 <= 4.0, "{p99}");
-    assert!(angle <= 0.005, "{angle}");
+    for (size, most) in [(8.0, 0.8), (4.0, 1.1), (2.0, 2.0), (1.0, 4.0)] {
+        println!("own radius {size}");
+        let asked = Asked { size, ..asked };
+        let [p99, angle] = asked.check::<I16F16>();
+        assert!(p99 <= most, "{size}: {p99}");
+        assert!(angle <= 0.005, "{size}: {angle}");
+    }
 }

@@ -5,7 +5,7 @@ use crate::boards::{self, Boards};
 use crate::command::done;
 use crate::paths::root;
 use crate::toolchain::{self, has_program};
-use crate::{faults, layers, log, pico, python, web};
+use crate::{c, faults, layers, log, pico, python, web};
 use std::fs;
 use std::process::Command;
 use std::time::Instant;
@@ -27,7 +27,7 @@ struct Step {
 }
 
 /// Quick ones first.
-const STEPS: [Step; 17] = [
+const STEPS: [Step; 18] = [
     Step { name: "format", what: "every file is formatted", run: format },
     Step { name: "layers", what: "files import downwards, and in no circle", run: layers },
     Step { name: "lints", what: "clippy, on all members and all features", run: lints },
@@ -49,6 +49,7 @@ const STEPS: [Step; 17] = [
         run: package_of_python,
     },
     Step { name: "web", what: "the page in a browser has the host's bits", run: page },
+    Step { name: "c", what: "programs in C have the host's rows, also on two boards", run: in_c },
     Step {
         name: "boards",
         what: "firmware on five boards: pictures, sizes, instructions",
@@ -134,7 +135,7 @@ fn features() -> Result<(), String> {
     done(&mut command(
         "cargo test --package scancsg --all-features --test embedded_graphics --test serde",
     ))?;
-    done(&mut command("cargo test --package scancsg --all-features --doc interop"))
+    done(&mut command("cargo test --package scancsg --all-features --doc -- interop cookbook"))
 }
 
 fn members() -> Result<(), String> {
@@ -221,6 +222,14 @@ fn page() -> Result<(), String> {
     }
     install(&packages)?;
     web::run(&web::Web { test: true })
+}
+
+fn in_c() -> Result<(), String> {
+    ensure_board_tools()?;
+    if !has_program(c::CROSS) {
+        install(&["gcc-arm-none-eabi"])?;
+    }
+    c::check()
 }
 
 fn all_boards() -> Result<(), String> {

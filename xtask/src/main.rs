@@ -3,6 +3,7 @@
 mod board;
 mod boards;
 mod boot;
+mod c;
 mod ci;
 mod command;
 mod counts;
@@ -63,6 +64,9 @@ enum Chore {
     /// Install the Python package into `target/python`, and test it
     Python,
 
+    /// Build the library for Arduino, `target/arduino/Scancsg`
+    Arduino,
+
     /// Check everything that must hold before a change lands, or one step of it
     Ci(ci::Ci),
 
@@ -106,6 +110,7 @@ fn main() -> ExitCode {
         Chore::Part(chosen) => part::measure(&chosen),
         Chore::Web(chosen) => web::run(&chosen),
         Chore::Python => python::check(),
+        Chore::Arduino => c::arduino(),
         Chore::Ci(chosen) => ci::run(&chosen),
         Chore::Boot { board, elf, png } => boot::show(board, &elf, &png),
     };

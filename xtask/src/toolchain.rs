@@ -201,6 +201,18 @@ impl Toolchain {
         Ok(folder.join(WEB).join(PROFILE).join("scancsg_web.wasm"))
     }
 
+    /// Builds the library for programs in C, with features of its package.
+    pub fn build_library(&self, target: &str, features: &str) -> Result<PathBuf, String> {
+        let folder = root().join("target/c");
+        let mut command = self.cargo(target, "");
+        command
+            .args(["rustc", "--quiet", "--profile", PROFILE, "--package", "scancsg-capi"])
+            .args(["--lib", "--crate-type", "staticlib", "--features", features])
+            .env("CARGO_TARGET_DIR", &folder);
+        output(&mut command)?;
+        Ok(folder.join(target).join(PROFILE).join("libscancsg_capi.a"))
+    }
+
     /// Builds the firmware of a package that is a workspace of its own, in a folder of `boards/`.
     pub fn build_package(&self, name: &str, target: &str) -> Result<PathBuf, String> {
         let folder = root().join("target/boards").join(name);

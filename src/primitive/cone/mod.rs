@@ -2,13 +2,12 @@
 
 mod orthographic;
 mod perspective;
-mod pixel;
 
 use super::cylinder::{Cylinder, CylinderError, frame, set_common};
 use crate::geom::{Axis, AxisLine, Line, Vec3};
 use crate::quadric::{Planes, Taper, WALL, Wall, meet};
 use crate::query::Solid;
-use crate::scalar::{ConstOps, Number, Real, Scalar, per_scalar};
+use crate::scalar::{ConstOps, Scalar, per_scalar};
 use crate::scan::bounds::Bounds;
 use crate::scan::leaf;
 use crate::span::{Face, Shape, Span, SpanStack};
@@ -174,13 +173,8 @@ per_scalar! { $S: impl[] Cone<$S> {
         {
             return Err(ConeError::Radius);
         }
-        let length = ConstOps::<$S>::difference(caps.high, caps.low);
-        let rise = ConstOps::<$S>::difference(high, low);
-        match ConstOps::<$S>::normalized([length, rise, ConstOps::<$S>::ZERO]) {
-            Some([along, outward, _]) => {
-                let taper = Taper { base: wall.base, radii: [low, high], slant: [along, outward] };
-                Ok(Self { taper, caps })
-            }
+        match Taper::<$S>::from_caps(wall.base, [low, high], &caps) {
+            Some(taper) => Ok(Self { taper, caps }),
             None => Err(ConeError::Empty),
         }
     }
@@ -230,31 +224,8 @@ impl<S: Scalar> Cone<S> {
         if radii.into_iter().any(|radius| radius != S::ZERO && !radius.is_radius()) {
             return Err(ConeError::Radius);
         }
-        let [along, outward, _] =
-            S::normalized([caps.high.minus(caps.low), high.minus(low), S::ZERO])
-                .ok_or(ConeError::Empty)?;
-        Ok(Self { taper: Taper { base: wall.base, radii, slant: [along, outward] }, caps })
-    }
-
-    fn widest(&self) -> S::Wide {
-        let [low, high] = self.taper.radii;
-        low.max(high).wide()
-    }
-
-    /// A ball that holds the whole cone: both rims lie on it, or the larger one is its equator.
-    fn bounding_ball(&self) -> (Vec3<S::Wide>, S::Wide) {
-        let Self { taper, caps } = self;
-        let [low, high] = [caps.low, caps.high].map(S::wide);
-        let [first, last] = taper.radii.map(S::wide);
-        let half = (high - low) * S::Wide::HALF;
-        let towards_larger = (last - first) / (high - low) * ((first + last) * S::Wide::HALF);
-        let shift = towards_larger.max(-half).min(half);
-        let middle = low + half + shift - caps.normal.dot_wide(taper.base.wide());
-        let to_rim = |along: S::Wide, radius: S::Wide| (along * along + radius * radius).sqrt();
-        let radius = to_rim(half + shift, first).max(to_rim(half - shift, last));
-        let center = taper.base.wide() + caps.normal.wide() * middle;
-        // Rounded to the number type, both may be off; and a ray that passes a tip may meet it.
-        (center, radius + S::uncertainty(center.max_abs() + radius) + S::ROUNDING.wide())
+        let taper = Taper::between(wall.base, radii, &caps).ok_or(ConeError::Empty)?;
+        Ok(Self { taper, caps })
     }
 }
 
@@ -280,7 +251,7 @@ impl<S: Scalar> Solid for Cone<S> {
     }
 
     fn bounds(&self) -> Bounds<S> {
-        let (center, radius) = self.bounding_ball();
+        let (center, radius) = self.taper.bounding_ball(&self.caps);
         Bounds::Ball { center: center.map(S::from_wide), radius: S::from_wide(radius) }
     }
 

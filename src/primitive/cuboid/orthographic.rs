@@ -79,10 +79,11 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {
                 let enter = later(later((of_x[0], x), (of_y[0], y)), (of_z[0], z));
                 let [x, y, z] = view.near.map(|face| Face(face.0 ^ 1));
                 let exit = earlier(earlier((of_x[1], x), (of_y[1], y)), (of_z[1], z));
-                if enter.0 < exit.0 {
-                    span.enter = Crossing { t: enter.0, face: enter.1 };
-                    span.exit = Crossing { t: exit.0, face: exit.1 };
-                } else {
+                let is_met = enter.0 < exit.0;
+                // Set before it is known: so the comparisons that find parameters find faces, too.
+                span.enter = Crossing { t: enter.0, face: enter.1 };
+                span.exit = Crossing { t: exit.0, face: exit.1 };
+                if !is_met {
                     *span = Span::NOWHERE;
                 }
             }
@@ -105,11 +106,8 @@ impl<S: Scalar> Cuboid<S> {
     ) -> Option<Span<S>> {
         let mut common = Span::whole_line(Face(0));
         for (index, axis) in Axis::ALL.into_iter().enumerate() {
-            let between = match &pairs[index] {
-                PairRow::Nowhere => None,
-                PairRow::Across(ends) => ends.span(&view.pairs[index], x),
-                PairRow::EdgeOn(row) => self.corners.planes(axis).edge_on_span(row, x),
-            };
+            let (view, row) = (&view.pairs[index], &pairs[index]);
+            let between = self.corners.planes(axis).orthographic_span(view, row, x);
             common = common.overlap(between?.with_faces_from(Corners::<S>::first_face(axis)))?;
         }
         Some(common)

@@ -300,13 +300,14 @@ pub(super) fn set_common<S: Scalar>(
     [near, far]: [S; 2],
     [near_face, far_face]: [Face; 2],
 ) {
-    let is_wall = [enter > near, exit < far];
-    let (enter, exit) = (enter.max(near), exit.min(far));
-    if enter < exit {
-        let face = |is_wall, cap| if is_wall { WALL } else { cap };
-        span.enter = Crossing { t: enter, face: face(is_wall[0], near_face) };
-        span.exit = Crossing { t: exit, face: face(is_wall[1], far_face) };
-    } else {
+    let later = |wall: S, cap| if wall > near { (wall, WALL) } else { (near, cap) };
+    let earlier = |wall: S, cap| if wall < far { (wall, WALL) } else { (far, cap) };
+    let (enter, exit) = (later(enter, near_face), earlier(exit, far_face));
+    let is_met = enter.0 < exit.0;
+    // Set before it is known: so the comparisons that find parameters find faces, too.
+    span.enter = Crossing { t: enter.0, face: enter.1 };
+    span.exit = Crossing { t: exit.0, face: exit.1 };
+    if !is_met {
         *span = Span::NOWHERE;
     }
 }

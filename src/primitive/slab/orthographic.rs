@@ -26,11 +26,6 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Slab<S> {
 
     #[inline]
     fn spans(&self, view: &Self::View, row: &Self::Row, x: i32, [span]: &mut [Span<S>; 1]) {
-        let crossed = match row {
-            OrthographicRow::Nowhere => None,
-            OrthographicRow::Across(ends) => ends.span(view, x),
-            OrthographicRow::EdgeOn(row) => self.planes.edge_on_span(row, x),
-        };
-        *span = crossed.unwrap_or(Span::NOWHERE);
+        *span = self.planes.orthographic_span(view, row, x).unwrap_or(Span::NOWHERE);
     }
 }

@@ -3,11 +3,13 @@
 //! What rounding can move is bounded and added. A silhouette may be too large, never too small.
 
 mod ball;
+mod frustum;
 mod outline;
 mod quadratic;
 mod strip;
 
 pub(crate) use ball::PerspectiveBall;
+pub(crate) use frustum::Strip;
 pub(crate) use outline::Around;
 pub use outline::{Anywhere, Bounds, Outline, Rectangle, Silhouette};
 pub(crate) use quadratic::{constant, extent};

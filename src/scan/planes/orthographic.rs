@@ -33,6 +33,21 @@ impl<S: Scalar> Planes<S> {
         OrthographicRow::EdgeOn(view.edge_on(height))
     }
 
+    /// The span of a ray.
+    #[inline]
+    pub(crate) fn orthographic_span(
+        &self,
+        view: &OrthographicView<S>,
+        row: &OrthographicRow<S>,
+        x: i32,
+    ) -> Option<Span<S>> {
+        match row {
+            OrthographicRow::Nowhere => None,
+            OrthographicRow::Across(ends) => ends.span(view, x),
+            OrthographicRow::EdgeOn(row) => self.edge_on_span(row, x),
+        }
+    }
+
     /// The span of a ray along the planes, or almost.
     #[inline]
     pub(crate) fn edge_on_span(&self, row: &EdgeOn<S>, x: i32) -> Option<Span<S>> {

@@ -43,11 +43,21 @@ use crate::span::{Face, Shape, SpanStack};
 /// # let _ = EGG;
 /// ```
 ///
+/// A map that flattens does not compile there:
+///
+/// ```compile_fail,E0080
+/// use scancsg::{constant, geom::AffineMap};
+///
+/// const FLAT: AffineMap<f32> = constant!(AffineMap::<f32>::scale([3.0, 0.0, 2.0]));
+/// # let _ = FLAT;
+/// ```
+///
 /// Seen along parallel rays it costs about as much as the solid inside. From an eye, each pixel has a camera of
 /// its own: an ellipsoid takes 6 times as much there as along parallel rays, an elliptic cylinder 11 times.
 ///
-/// In fixed point, a line is rounded in the solid's own frame, to units of that. So make the solid large, and
-/// scale it down: scaled up, what rounding loses is as much larger.
+/// In fixed point, a line is rounded in the solid's own frame, to units of that. So make the solid twice as large
+/// as it is to be, or larger, and scale it down: then t is within about one unit for 99 % of ordinary rays. Scaled up, what
+/// rounding loses is as much larger.
 ///
 /// A camera of your own sees it inside a [`ByLine`](super::ByLine).
 #[derive(Debug, Clone, Copy, PartialEq)]
