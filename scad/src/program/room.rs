@@ -40,6 +40,7 @@ impl Bytes {
 }
 
 type Read<S> = Program<Leaf<S>, PARTS, POSES, 1>;
+type HasRoom<S> = fn(&Read<S>, &Ray<S>) -> bool;
 
 fn found<S: Scalar>(bytes: &[u8], [low, high]: [Vector; 2]) -> Result<Option<usize>, Error> {
     let part = Read::<S>::from_bytes(bytes).map_err(|error| Error::limit(error.to_string()))?;
@@ -53,7 +54,7 @@ fn found<S: Scalar>(bytes: &[u8], [low, high]: [Vector; 2]) -> Result<Option<usi
             Ray::new(narrow(middle + back * (radius * 1.1) + beside), narrow(-back)).ok()
         })
     });
-    let steps: [fn(&Read<S>, &Ray<S>) -> bool; 7] = [
+    let steps: [HasRoom<S>; 7] = [
         has_room::<S, 8>,
         has_room::<S, 16>,
         has_room::<S, 32>,
