@@ -74,6 +74,6 @@ fn programs_need_little_memory() {
     ];
     println!("a part: {of_cylinders:?}, {of_parts:?}");
     // What primitives need, and 28 bytes.
-    assert!(of_cylinders.iter().all(|bytes| *bytes <= 176), "{of_cylinders:?}");
-    assert!(of_parts.iter().all(|bytes| *bytes <= 216), "{of_parts:?}");
+    assert!(of_cylinders.iter().all(|bytes| *bytes <= 172), "{of_cylinders:?}");
+    assert!(of_parts.iter().all(|bytes| *bytes <= 192), "{of_parts:?}");
 }

@@ -57,3 +57,9 @@ fn receiver() {
 fn sender() {
     hold("sender", 1_000, 500, hostile::sender);
 }
+
+/// Bytes of this kind are seldom a program: `tests/program_bytes.rs` changes those of one.
+#[test]
+fn program() {
+    hold("program", 2_000, 200, hostile::program);
+}

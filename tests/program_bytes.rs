@@ -6,10 +6,11 @@
 #[macro_use]
 extern crate testkit;
 
-use scancsg::geom::{Axis, Pose, Ray, Vec3, vec3};
+use scancsg::constant;
+use scancsg::geom::{AffineMap, Axis, Pose, Ray, Vec3, vec3};
 use scancsg::program::{BytesError, Program};
 use scancsg::render::{Gray8, Lambert, Orthographic, Picture, Size};
-use scancsg::solid::{Cone, Cuboid, Cylinder, HalfSpace, Polyhedron, Rgb, Sphere, Torus};
+use scancsg::solid::{Cone, Cuboid, Cylinder, HalfSpace, Polyhedron, Rgb, Scaled, Sphere, Torus};
 use scancsg::span::SpanList;
 use testkit::number::{Tested, vector};
 use testkit::random::Random;
@@ -26,6 +27,9 @@ scancsg::leaves! {
         Torus(Torus<S>),
         Half(HalfSpace<S>),
         Convex(Polyhedron<S, 6>),
+        Drum(Scaled<Cylinder<S>>),
+        Egg(Scaled<Sphere<S>>),
+        Wedge(Scaled<Polyhedron<S, 6>>),
     }
 }
 
@@ -40,7 +44,14 @@ fn part<S: Tested>(random: &mut Random) -> Part<S> {
     let radius = number(0.5, 2.0);
     let axis = Axis::ALL[random.below(3)];
     let middle = [center.x, center.y];
-    match random.below(10) {
+    let triangle = || {
+        let [x, y, z] = [S::ZERO, size, radius];
+        Polyhedron::extruded(axis, [[x, x], [y, x], [x, z]], ends[0], ends[1]).unwrap()
+    };
+    let (zero, slant) = (S::ZERO, radius.negated());
+    let columns = [[size, zero, slant], [zero, radius, zero], [size, zero, size]].map(Vec3::from);
+    let map = AffineMap::with_columns(columns, center).unwrap();
+    match random.below(13) {
         0 => Part::Cylinder(Cylinder::along(axis, middle, radius, ends[0], ends[1]).unwrap()),
         1 => Part::Cylinder(Cylinder::from_to(center, center + way, radius).unwrap()),
         2 => Part::Cuboid(Cuboid::around(center, Vec3::new(size, radius, size)).unwrap()),
@@ -52,11 +63,13 @@ fn part<S: Tested>(random: &mut Random) -> Part<S> {
         5 => Part::Cone(Cone::from_to(center, center + way, [radius, size]).unwrap()),
         6 => Part::Torus(Torus::around(center, way, radius, S::near(0.25)).unwrap()),
         7 => Part::Half(HalfSpace::facing(way, low).unwrap()),
-        8 => {
-            let [x, y, z] = [S::ZERO, size, radius];
-            let triangle = [[x, x], [y, x], [x, z]];
-            Part::Convex(Polyhedron::extruded(axis, triangle, ends[0], ends[1]).unwrap())
+        8 => Part::Convex(triangle()),
+        9 => {
+            let drum = Cylinder::along(axis, middle, radius, ends[0], ends[1]).unwrap();
+            Part::Drum(Scaled::new(drum, map))
         }
+        10 => Part::Egg(Scaled::new(Sphere::around(center, radius).unwrap(), map)),
+        11 => Part::Wedge(Scaled::new(triangle(), map)),
         _ => Part::Half(HalfSpace::above(axis, low).unwrap()),
     }
 }
@@ -195,6 +208,130 @@ fn the_documents_example_is_read() {
     assert_eq!(wanted.to_bytes(&mut buffer).unwrap(), bytes);
     let read = Small::<f32>::from_bytes(&bytes).unwrap();
     assert_eq!(read.part_count(), 2);
+}
+
+/// A scaled solid's bytes, one by one; what is inside decides which one it is.
+#[test]
+fn scaled_solids_have_a_map_and_a_solid() {
+    let columns = [vec3(1.0, 0.0, 0.0), vec3(0.5, 2.0, 0.0), vec3(0.0, 0.0, -1.0)];
+    let map = AffineMap::<f32>::new(columns, vec3(3.0, 4.0, 5.0)).unwrap();
+    let ball = Sphere::<f32>::new(vec3(0.0, 1.0, 0.0), 2.0).unwrap();
+    let egg = Program::<Part<f32>, 2>::new(Part::Egg(Scaled::new(ball, map)));
+    let mut buffer = [0; 100];
+    let bytes = egg.to_bytes(&mut buffer).unwrap();
+    let mut wanted = vec![b'S', b'P', 1, 32, 75, 0, 0, 0, 8, 0];
+    let rows = [[1.0, 0.5, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, -1.0], [3.0, 4.0, 5.0]];
+    wanted.extend(rows.as_flattened().iter().copied().flat_map(f32::to_le_bytes));
+    wanted.push(3);
+    wanted.extend([0.0, 1.0, 0.0, 2.0].into_iter().flat_map(f32::to_le_bytes));
+    assert_eq!(bytes, wanted);
+    assert_eq!(Program::from_bytes(bytes), Ok(egg));
+    let read = |changes: &[(usize, u8)]| {
+        let mut bytes = wanted.clone();
+        changes.iter().for_each(|&(at, byte)| bytes[at] = byte);
+        Program::<Part<f32>, 2>::from_bytes(&bytes).map(|_| ())
+    };
+    let (matrix, inner) = (10, 10 + 12 * 4);
+    assert_eq!(read(&[(inner, 2)]), Err(BytesError::Kind), "no scaled box is named");
+    assert_eq!(read(&[(inner, 8)]), Err(BytesError::Kind));
+    assert_eq!(read(&[(inner, 0xf0)]), Err(BytesError::Kind));
+    assert_eq!(read(&[(inner, 1)]), Err(BytesError::Length), "a cylinder has more numbers");
+    assert_eq!(read(&[(matrix + 2, 0), (matrix + 3, 0)]), Err(BytesError::Solid), "a flat map");
+    assert_eq!(read(&[(matrix + 3, 0xff)]), Err(BytesError::Solid), "an infinite one");
+    assert_eq!(read(&[(inner - 1, 0x7f)]), Err(BytesError::Solid), "one that shifts too far");
+}
+
+/// A map has more digits than numbers of fixed point have: what would be another map isn't written.
+#[test]
+fn a_map_between_two_numbers_is_not_written() {
+    use scancsg::scalar::{I16F16, Scalar as _};
+    let number = I16F16::from_ratio;
+    let third = AffineMap::scaling([(); 3].map(|()| number(1, 3))).unwrap();
+    let ball = Sphere::around(Vec3::ZERO, number(1, 1)).unwrap();
+    let mut program = Program::<Part<I16F16>, 1>::new(Part::Egg(Scaled::new(ball, third)));
+    let mut buffer = [0; 100];
+    assert!(program.to_bytes(&mut buffer).is_ok());
+    let ninth = third.then(&third).unwrap();
+    *program.part_mut(0).unwrap() = Part::Egg(Scaled::new(ball, ninth));
+    assert_eq!(program.to_bytes(&mut buffer), Err(BytesError::Solid));
+}
+
+/// A program that is larger than the stack is read where it is. One that can't be read stays as it was.
+#[test]
+fn large_programs_are_read_in_place() {
+    scancsg::leaves! {
+        enum Many<S> {
+            Ball(Sphere<S>),
+            Faces(Polyhedron<S, 64>),
+        }
+    }
+    type Large = Program<Many<f32>, 256, 64, 64>;
+    const BALL: Sphere<f32> = constant!(Sphere::<f32>::new(vec3(0.0, 0.0, 0.0), 1.0));
+    const STACK: usize = 128 << 10;
+    assert!(size_of::<Large>() > 2 * STACK);
+    let thread = |stack| std::thread::Builder::new().stack_size(stack);
+
+    /// A program with room for one part, and bytes of as many as those of the large one.
+    fn bytes(count: usize) -> Vec<u8> {
+        let round = |index: i32| {
+            let angle = core::f64::consts::TAU * f64::from(index) / 62.0;
+            [angle.cos() as f32, angle.sin() as f32]
+        };
+        let rod = core::array::from_fn::<_, 62, _>(|index| round(index as i32));
+        let rod = Polyhedron::extruded(Axis::Z, rod, -1.0, 1.0).unwrap();
+        let mut buffer = vec![0; 2000];
+        let one = Program::<Many<f32>, 1>::new(Many::Faces(rod));
+        let one = one.to_bytes(&mut buffer).unwrap();
+        let (head, part) = one.split_at(8);
+        let mut bytes = head.to_vec();
+        (0..count).for_each(|_| bytes.extend_from_slice(part));
+        let length = bytes.len() as u16;
+        bytes[4..6].copy_from_slice(&length.to_le_bytes());
+        bytes
+    }
+
+    let parts = 50;
+    let bytes = bytes(parts);
+    let make = || Box::new(Large::new(Many::Ball(BALL)));
+    let mut boxed = thread(64 << 20).spawn(make).unwrap().join().unwrap();
+    let read = move || {
+        boxed.read_bytes(&bytes).unwrap();
+        assert_eq!(boxed.part_count(), parts);
+        // A ray meets the end of all rods at once.
+        let ray = Ray::new(vec3(0.25, 0.125, 9.0), vec3(0.0, 0.0, -1.0)).unwrap();
+        let hit = boxed.hit(&ray, &mut SpanList::<f32, 64>::new()).unwrap().unwrap();
+        assert_eq!((hit.t, hit.normal), (8.0, vec3(0.0, 0.0, 1.0)));
+        // Bytes that are wrong at their end.
+        let mut wrong = bytes.clone();
+        let last = wrong.len() - 1;
+        wrong[last] = 0xff;
+        let mut buffer = vec![0; bytes.len()];
+        assert_eq!(boxed.read_bytes(&wrong), Err(BytesError::Solid));
+        assert_eq!(boxed.to_bytes(&mut buffer).unwrap(), bytes);
+        boxed
+    };
+    let boxed = thread(STACK).spawn(read).unwrap().join().unwrap();
+    // All rods are one: the picture is that of the first.
+    let show = move || {
+        let one = *boxed.part(0).unwrap();
+        let along = vector([0.3, -0.2, -1.0]);
+        let up = vector([0.0, 1.0, 0.0]);
+        let camera = Orthographic::look_along(along, Vec3::ZERO, up, 3.0).unwrap();
+        let light = Lambert::new(vector::<f32>([1.0, 2.0, 3.0]), 0.25).unwrap();
+        let size = Size::new(40, 30).unwrap();
+        let mut many = Picture::new(&*boxed, &camera, size, light, Gray8(0));
+        let mut single = Picture::new(&one, &camera, size, light, Gray8(0));
+        let (mut rows, mut lit) = ([[Gray8(0); 40]; 2], 0);
+        for y in 0..30 {
+            many.scanline(y).unwrap().render(&mut rows[0]).unwrap();
+            single.scanline(y).unwrap().render(&mut rows[1]).unwrap();
+            assert_eq!(rows[0], rows[1], "row {y}");
+            lit += rows[0].iter().filter(|pixel| pixel.0 > 0).count();
+        }
+        assert!((300..600).contains(&lit), "{lit}");
+        println!("{} bytes, and {} in a picture", size_of::<Large>(), size_of_val(&many));
+    };
+    thread(64 << 20).spawn(show).unwrap().join().unwrap();
 }
 
 /// Each thing that can be wrong, by its name.

@@ -1,6 +1,10 @@
-//! What must hold of the link whatever the bytes are. A function fails by a panic.
+//! What must hold of the link and of programs whatever the bytes are. A function fails by a panic.
 //!
 //! `tests/hostile_bytes.rs` runs these with some bytes of its own at every test.
+
+mod program;
+
+pub use program::program;
 
 use scancsg::render::{Gray8, Mono, Palette, Rgb, Rgb565, Rgb888};
 use scancsg::stream::{

@@ -122,6 +122,17 @@ impl<S: Scalar> AffineMap<S> {
         Self::checked(transposed(columns), next.point(self.shift))
     }
 
+    /// The map of a matrix, by its rows.
+    pub(crate) fn of_rows(rows: [Vec3<S>; 3], shift: Vec3<S>) -> Result<Self, AffineError> {
+        Self::checked(rows.map(|row| row.wide().to_array()), shift)
+    }
+
+    /// The rows of the matrix, if they are exact in the number type, and the shift.
+    pub(crate) fn rows(&self) -> Option<([Vec3<S>; 3], Vec3<S>)> {
+        let rows = self.rows.map(|row| Vec3::from(row.map(S::from_wide)));
+        (rows.map(|row| row.wide().to_array()) == self.rows).then_some((rows, self.shift))
+    }
+
     fn checked(rows: Matrix<S::Wide>, shift: Vec3<S>) -> Result<Self, AffineError> {
         if !(rows.iter().flatten().all(|entry| entry.is_finite()) && shift.is_finite()) {
             return Err(AffineError::NotFinite);

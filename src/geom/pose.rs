@@ -42,9 +42,9 @@ crate::error_text! {
         NotFinite => "an angle or a coordinate of the pose is infinite or not a number",
         /// A coordinate of the translation is larger than [`Scalar::MAX_COORDINATE`].
         TooFar => "the pose shifts too far for its number type",
-        /// The axis of a turn is zero.
+        /// The axis of a turn, or one of a frame, is zero.
         ZeroAxis => "the axis of the turn is zero",
-        /// The axes of a pose that was deserialised are no right-handed frame of unit vectors.
+        /// The axes of a pose, given or deserialised, are no right-handed frame of unit vectors.
         NotRigid => "the axes of the pose are no right-handed frame of unit vectors",
     }
 }
@@ -144,6 +144,46 @@ impl<S: Scalar> Pose<S> {
             own * cos + k.cross(own) * sin + k * (k.dot(own) * (S::Wide::ONE - cos))
         });
         Ok(Self { axes: orthonormal(axes).map(|axis| axis.map(S::unit)), translation: Vec3::ZERO })
+    }
+
+    /// The motion that takes the coordinate axes x, y and z along three directions, and the origin to a point:
+    /// from the columns of a matrix, or from what was measured.
+    ///
+    /// ```
+    /// use scancsg::geom::{Pose, vec3};
+    ///
+    /// // The columns of a matrix with six digits: 30 degrees about x.
+    /// let axes = [vec3(1.0, 0.0, 0.0), vec3(0.0, 0.866025, 0.5), vec3(0.0, -0.5, 0.866025)];
+    /// let pose = Pose::<f32>::with_axes(axes, vec3(0.0, 0.0, 7.0))?;
+    /// assert!((pose.point(vec3(0.0, 2.0, 0.0)) - vec3(0.0, 1.732051, 8.0)).max_abs() < 1e-5);
+    /// # Ok::<(), scancsg::geom::PoseError>(())
+    /// ```
+    ///
+    /// Only their directions count, which are made orthonormal: they must be right-handed, and the cosine between
+    /// any two at most 2⁻¹⁰. In fixed point, long vectors have more digits. What scales is an
+    /// [`AffineMap`](super::AffineMap).
+    ///
+    /// # Errors
+    /// [`PoseError::NotFinite`], [`PoseError::ZeroAxis`], [`PoseError::NotRigid`], [`PoseError::TooFar`].
+    pub fn with_axes(axes: [Vec3<S>; 3], origin: Vec3<S>) -> Result<Self, PoseError> {
+        if !(origin.is_finite() && axes.iter().all(|axis| axis.is_finite())) {
+            return Err(PoseError::NotFinite);
+        }
+        let mut frame = [Vec3::<S::Wide>::ZERO; 3];
+        for (unit, axis) in frame.iter_mut().zip(axes) {
+            *unit = Direction::normalized(axis).ok_or(PoseError::ZeroAxis)?.wide();
+        }
+        let [x, y, z] = frame;
+        let is_right = |one: Vec3<S::Wide>, other| {
+            one.dot(other).abs() * S::Wide::from_int(1 << 10) <= S::Wide::ONE
+        };
+        let is_frame = is_right(x, y) && is_right(y, z) && is_right(z, x);
+        if !(is_frame && x.cross(y).dot(z) > S::Wide::ZERO) {
+            return Err(PoseError::NotRigid);
+        }
+        // Deviations become 2⁻²⁰, 2⁻⁴⁰, 2⁻⁸⁰.
+        let frame = (0..3).fold(frame, |frame, _| orthonormal(frame));
+        Self { axes: frame.map(|axis| axis.map(S::unit)), translation: origin }.checked()
     }
 
     /// The same motion with `point` in the origin's place: a turn about the origin becomes one about the

@@ -45,6 +45,23 @@ use crate::span::Shape;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
+/// In a constant, a part lies in flash:
+///
+/// ```
+/// use scancsg::constant;
+/// use scancsg::geom::vec3;
+/// use scancsg::program::Program;
+/// use scancsg::solid::Sphere;
+///
+/// static LENS: Program<Sphere<f32>, 2> = {
+///     let mut lens = Program::new(constant!(Sphere::<f32>::new(vec3(0.0, 0.0, -1.0), 2.0)));
+///     let other = constant!(Sphere::<f32>::new(vec3(0.0, 0.0, 1.0), 2.0));
+///     assert!(lens.push(other).is_ok() && lens.intersect(2).is_ok());
+///     lens
+/// };
+/// assert_eq!(LENS.part_count(), 2);
+/// ```
+///
 /// Parts may stand in one of up to `POSES` frames. A frame that is turned takes all of its parts along:
 /// see [`set_pose`](Self::set_pose).
 ///
@@ -56,19 +73,19 @@ use crate::span::Shape;
 pub struct Program<L: Shape, const PARTS: usize, const POSES: usize = 0, const SPANS: usize = 32> {
     /// Behind the last one, the first one again and again.
     pub(super) leaves: [L; PARTS],
-    places: [Place; PARTS],
+    pub(super) places: [Place; PARTS],
     tree: Tree<PARTS>,
-    poses: [Pose<L::Scalar>; POSES],
-    pose_count: u8,
+    pub(super) poses: [Pose<L::Scalar>; POSES],
+    pub(super) pose_count: u8,
 }
 
 /// What else there is of a part.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Place {
-    color: Rgb,
+pub(super) struct Place {
+    pub(super) color: Rgb,
     /// The index of its pose, or one that no pose has.
-    pose: u8,
-    is_painted: bool,
+    pub(super) pose: u8,
+    pub(super) is_painted: bool,
     /// Whether it is cut away, so that its faces are seen from their other side.
     is_cut: bool,
 }
@@ -77,7 +94,7 @@ impl Place {
     const HERE: Self = Self { color: Rgb::WHITE, pose: NO_POSE, is_painted: false, is_cut: false };
 }
 
-const NO_POSE: u8 = u8::MAX;
+pub(super) const NO_POSE: u8 = u8::MAX;
 
 crate::error_text! {
     /// Why a [`Program`] can't be changed like that.
@@ -139,6 +156,22 @@ where
     /// Removes a part, and the operation that has it as its operand: the other operand stays. Parts
     /// behind it have an index less.
     ///
+    /// ```
+    /// use scancsg::geom::vec3;
+    /// use scancsg::program::Program;
+    /// use scancsg::solid::Sphere;
+    ///
+    /// let ball = |x| Sphere::<f32>::new(vec3(x, 0.0, 0.0), 1.0);
+    /// let mut bitten = Program::<_, 3>::new(ball(0.0)?);
+    /// bitten.push(ball(1.0)?)?;
+    /// let bite = bitten.push(ball(-1.0)?)?;
+    /// bitten.subtract(2)?;
+    /// bitten.remove(bite)?; // one is cut out still
+    /// assert_eq!((bitten.part_count(), bitten.operand_count()), (2, 1));
+    /// assert!(bitten.remove(0).is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ProgramError::NoPart`], [`ProgramError::LastPart`]; [`ProgramError::CutInto`] where others are
     /// cut out of this part alone.
@@ -168,6 +201,21 @@ impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize>
     Program<L, PARTS, POSES, SPANS>
 {
     /// Takes the last `count` operands for their union.
+    ///
+    /// ```
+    /// use scancsg::geom::vec3;
+    /// use scancsg::program::Program;
+    /// use scancsg::solid::Sphere;
+    ///
+    /// let ball = |x| Sphere::<f32>::new(vec3(x, 0.0, 0.0), 1.0);
+    /// let mut row = Program::<_, 4>::new(ball(0.0)?);
+    /// for x in [1.0, 2.0, 9.0] {
+    ///     row.push(ball(x)?)?;
+    /// }
+    /// row.unite(3)?; // the first ball is an operand still
+    /// assert_eq!(row.operand_count(), 2);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     /// [`ProgramError::Operands`] for fewer operands than that, or a `count` of 0.
@@ -223,7 +271,12 @@ impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize>
         self.tree.open()
     }
 
-    const fn check(&self, part: usize) -> Result<(), ProgramError> {
+    /// Nothing is left, not even a part: until one is pushed.
+    pub(super) fn clear(&mut self) {
+        (self.tree, self.pose_count) = (Tree::NOTHING, 0);
+    }
+
+    pub(super) const fn check(&self, part: usize) -> Result<(), ProgramError> {
         if part < self.tree.leaves() { Ok(()) } else { Err(ProgramError::NoPart) }
     }
 
@@ -247,64 +300,6 @@ impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize>
             Ok(()) => Ok(&mut self.leaves[part]),
             Err(error) => Err(error),
         }
-    }
-
-    /// Gives a part a colour, or takes it away. Faces of a part that have one of their own keep that.
-    ///
-    /// # Errors
-    /// [`ProgramError::NoPart`].
-    pub const fn paint(&mut self, part: usize, color: Option<Rgb>) -> Result<(), ProgramError> {
-        if let Err(error) = self.check(part) {
-            return Err(error);
-        }
-        let place = &mut self.places[part];
-        place.is_painted = color.is_some();
-        if let Some(color) = color {
-            place.color = color;
-        }
-        Ok(())
-    }
-
-    /// Adds a frame that parts can stand in, and returns its index.
-    ///
-    /// # Errors
-    /// [`ProgramError::Poses`].
-    pub const fn add_pose(&mut self, pose: Pose<L::Scalar>) -> Result<usize, ProgramError> {
-        let index = self.pose_count as usize;
-        if index >= POSES {
-            return Err(ProgramError::Poses);
-        }
-        self.poses[index] = pose;
-        self.pose_count += 1;
-        Ok(index)
-    }
-
-    /// Moves a frame, and all parts that stand in it.
-    ///
-    /// # Errors
-    /// [`ProgramError::NoPose`].
-    pub const fn set_pose(&mut self, pose: usize, to: Pose<L::Scalar>) -> Result<(), ProgramError> {
-        if pose >= self.pose_count as usize || pose >= POSES {
-            return Err(ProgramError::NoPose);
-        }
-        self.poses[pose] = to;
-        Ok(())
-    }
-
-    /// Puts a part into a frame, or back into the scene's.
-    ///
-    /// # Errors
-    /// [`ProgramError::NoPart`], [`ProgramError::NoPose`].
-    pub const fn place(&mut self, part: usize, pose: Option<usize>) -> Result<(), ProgramError> {
-        if let Err(error) = self.check(part) {
-            return Err(error);
-        }
-        self.places[part].pose = match pose {
-            Some(pose) if pose >= self.pose_count as usize => return Err(ProgramError::NoPose),
-            Some(pose) => pose as u8,
-            None => NO_POSE,
-        };
-        Ok(())
     }
 
     /// A part where it stands, and whether it is cut away.

@@ -8,7 +8,7 @@
 ///
 /// Each part takes as much memory as the largest of these solids, and so do its view and its row. So a
 /// [`Polyhedron`](crate::solid::Polyhedron) is named with the number of faces that most need: those with more are an intersection of
-/// several. Faces in one pool would save little, because a view and a row have a place for each face, too.
+/// several.
 ///
 /// Where all of the solids have a form as bytes ([`Coded`](crate::program::Coded)), the enum has one, too.
 ///
@@ -142,8 +142,13 @@ macro_rules! leaves {
                     kind: u8,
                     from: &mut $crate::program::Reader<'_>,
                 ) -> Result<Self, $crate::program::BytesError> {
+                    // Several may have the kind of scaled solids: they differ inside.
+                    let start = *from;
                     $(if <$Solid as $crate::program::Coded>::has_kind(kind) {
-                        return $crate::program::Coded::read(kind, from).map(Self::$Kind);
+                        match $crate::program::Coded::read(kind, from) {
+                            Err($crate::program::BytesError::Kind) => *from = start,
+                            solid => return solid.map(Self::$Kind),
+                        }
                     })+
                     Err($crate::program::BytesError::Kind)
                 }

@@ -8,7 +8,7 @@
 //! | move several parts together | [`add_pose`](Program::add_pose), [`place`](Program::place), [`set_pose`](Program::set_pose) |
 //! | render it | a [`Picture`](crate::render::Picture), as of any solid |
 //! | ask what one ray meets | [`Program::hit`], [`Program::trace`] |
-//! | send it, or keep it | [`Program::to_bytes`], [`Program::from_bytes`] |
+//! | send it, or keep it | [`Program::to_bytes`], [`Program::from_bytes`]; in place, [`Program::read_bytes`] |
 //!
 //! A program is a solid: it can be an operand of a typed tree, and be [`Placed`](crate::solid::Placed),
 //! [`Painted`](crate::solid::Painted) or [`Scaled`](crate::solid::Scaled). What isn't known at compile time is how
@@ -19,6 +19,7 @@
 
 mod build;
 mod bytes;
+mod dress;
 mod in_place;
 mod leaves;
 mod picture;

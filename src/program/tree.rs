@@ -62,8 +62,10 @@ impl Kind {
 }
 
 impl<const N: usize> Tree<N> {
+    pub(super) const NOTHING: Self = Self { operators: [Operator(0); N], count: 0, leaves: 0 };
+
     /// One leaf.
-    pub(super) const LEAF: Self = Self { operators: [Operator(0); N], count: 0, leaves: 1 };
+    pub(super) const LEAF: Self = Self { leaves: 1, ..Self::NOTHING };
 
     /// The number of leaves; the compiler sees that there is room for them.
     pub(super) const fn leaves(&self) -> usize {

@@ -2,7 +2,7 @@
 //! The model is a matrix in `f64`.
 
 use proptest::prelude::*;
-use scancsg::geom::{Pose, Vec3};
+use scancsg::geom::{Pose, PoseError, Vec3};
 use scancsg::scalar::I16F16;
 use scancsg::solid::{Placed, RayCast, Sphere};
 use scancsg::span::SpanList;
@@ -16,6 +16,7 @@ for_every_number!(
     turns_about_coordinate_axes_are_exact,
     inverses,
     joints_move,
+    three_axes_are_a_pose,
 );
 
 /// Fixed point shows a frame's digits only if its axes are as long as the range allows.
@@ -156,4 +157,46 @@ fn quarters_in_fixed_point() {
     let quarter = Pose::rotation_z(I16F16::from_num(FRAC_PI_2)).unwrap();
     let [x, y, z] = frame(&quarter);
     assert_eq!((x[1], y[0], z), (1.0, -1.0, [0.0, 0.0, 1.0]));
+}
+
+/// A frame of any lengths that is nearly at right angles becomes the orthonormal one next to it.
+fn three_axes_are_a_pose<S: Tested>() {
+    let vectors = || [-3.0..3.0, -3.0..3.0, -3.0..3.0];
+    let lengths = || [0.25..9.0, 0.25..9.0, 0.25..9.0];
+    proptest!(|(axis in vectors(), angle in -7.0..7.0, lengths in lengths(), at in vectors(), off in 0.0..9e-4)| {
+        prop_assume!(length(axis) > 0.1);
+        let exact = [0, 1, 2].map(|i| {
+            turned(axis, angle, std::array::from_fn(|j| if i == j { 1.0 } else { 0.0 }))
+        });
+        let [x, y, z] = exact;
+        let skew = [x, add(y, times(x, off)), z];
+        let skew = [0, 1, 2].map(|i| vector::<S>(times(skew[i], 100.0 * lengths[i])));
+        let pose = Pose::with_axes(skew, vector::<S>(at)).unwrap();
+        let frame = frame(&pose);
+        prop_assert!(defect(&frame) <= 3.0 * unit_of_frame::<S>());
+        // What the axes are off by is shared by two of them.
+        let most = 0.6 * off + 8.0 * S::UNIT / 25.0 + 8.0 * unit_of_frame::<S>();
+        for (axis, exact) in frame.iter().zip(exact) {
+            prop_assert!(length(sub(*axis, exact)) <= most, "{axis:?}, {exact:?}");
+        }
+        prop_assert_eq!(pose.point(Vec3::ZERO), vector::<S>(at));
+    });
+    let [x, y, z] = [[2.0, 0.0, 0.0], [0.0, 0.0, -0.5], [0.0, 3.0, 0.0]].map(vector::<S>);
+    let pose = |axes| Pose::with_axes(axes, Vec3::ZERO).err();
+    assert_eq!(
+        Pose::with_axes([x, y, z], x).unwrap().point(vector([1.0, 2.0, 3.0])),
+        vector([3.0, 3.0, -2.0])
+    );
+    assert_eq!(pose([x, z, y]), Some(PoseError::NotRigid), "a mirror");
+    assert_eq!(pose([x, y, vector([0.0, 3.0, 0.004])]), Some(PoseError::NotRigid));
+    assert_eq!(pose([x, y, vector([0.0, 3.0, 0.002])]), None);
+    assert_eq!(pose([x, y, y]), Some(PoseError::NotRigid));
+    assert_eq!(pose([x, Vec3::ZERO, z]), Some(PoseError::ZeroAxis));
+    let far = Vec3::new(S::MAX_COORDINATE.up(), S::ZERO, S::ZERO);
+    assert_eq!(Pose::with_axes([x, y, z], far).err(), Some(PoseError::TooFar));
+    if !S::IS_FIXED {
+        let nan = Vec3::new(S::near(f64::NAN), S::ZERO, S::ZERO);
+        assert_eq!(pose([x, nan, z]), Some(PoseError::NotFinite));
+        assert_eq!(Pose::with_axes([x, y, z], nan).err(), Some(PoseError::NotFinite));
+    }
 }

@@ -7,9 +7,9 @@ use super::Cuboid;
 use crate::geom::{Axis, Extent, OrthographicRays};
 use crate::quadric::Corners;
 use crate::query::Solid;
-use crate::scalar::Scalar;
-use crate::scan::bounds::{Outline, Rectangle, Silhouette, Steps};
-use crate::scan::planes::{Ends, OrthographicRow as PairRow, OrthographicView as PairView};
+use crate::scalar::{Number, Scalar};
+use crate::scan::bounds::{Outline, Rows, Steps};
+use crate::scan::planes::{EdgeOn, Ends, OrthographicRow as PairRow, OrthographicView as PairView};
 use crate::scan::{Empty, Leaf};
 use crate::span::{Crossing, Face, Span};
 
@@ -19,18 +19,18 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {
     type Spans = [Span<S>; 1];
 
     fn view(&self, rays: &OrthographicRays<S>) -> Self::View {
-        let outline = rays.outline(&self.bounds());
+        let rows = rays.outline(&self.bounds()).map_or(Rows::ALL, |outline| outline.rows);
         let pairs = Axis::ALL.map(|axis| self.corners.planes(axis).orthographic_view(rays));
         let near = Axis::ALL.map(|axis| {
             let is_high = pairs[axis as usize].high_first();
             Corners::<S>::first_face(axis).offset(u16::from(is_high))
         });
-        OrthographicView { pairs, near, outline }
+        OrthographicView { pairs, near, rows }
     }
 
     #[inline]
     fn is_in_rows(&self, view: &Self::View, rows: [i32; 2]) -> bool {
-        view.outline.is_in_rows(rows)
+        view.rows.meet(rows)
     }
 
     #[inline(never)]
@@ -61,9 +61,18 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {
             [PairRow::Across(x), PairRow::Across(y), PairRow::Across(z)] => {
                 OrthographicRow::Across([x, y, z])
             }
-            pairs => OrthographicRow::EdgeOn(pairs),
+            pairs => OrthographicRow::EdgeOn {
+                along: pairs.iter().zip(0..).fold(0, |along, (row, index)| {
+                    along | u32::from(matches!(row, PairRow::EdgeOn(_))) << index
+                }),
+                ends: pairs.map(|row| match row {
+                    PairRow::Across(ends) => ends,
+                    PairRow::EdgeOn(EdgeOn { height, .. }) => Ends { near: height, far: height },
+                    PairRow::Nowhere => Ends { near: S::Wide::ZERO, far: S::Wide::ZERO },
+                }),
+            },
         };
-        steps.columns(columns).overlap(view.outline.extent(y, columns))
+        steps.columns(columns)
     }
 
     #[inline(always)]
@@ -87,8 +96,8 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {
                     *span = Span::NOWHERE;
                 }
             }
-            OrthographicRow::EdgeOn(pairs) => {
-                *span = self.edge_on_span(view, pairs, x).unwrap_or(Span::NOWHERE);
+            OrthographicRow::EdgeOn { ends, along } => {
+                *span = self.edge_on_span(view, ends, *along, x).unwrap_or(Span::NOWHERE);
             }
             OrthographicRow::Nowhere => *span = Span::NOWHERE,
         }
@@ -101,9 +110,14 @@ impl<S: Scalar> Cuboid<S> {
     fn edge_on_span(
         &self,
         view: &OrthographicView<S>,
-        pairs: &[PairRow<S>; 3],
+        ends: &[Ends<S>; 3],
+        along: u32,
         x: i32,
     ) -> Option<Span<S>> {
+        let pairs = [0, 1, 2].map(|index| match along >> index & 1 {
+            1 => PairRow::EdgeOn(view.pairs[index].edge_on(ends[index].near)),
+            _ => PairRow::Across(ends[index]),
+        });
         let mut common = Span::whole_line(Face(0));
         for (index, axis) in Axis::ALL.into_iter().enumerate() {
             let (view, row) = (&view.pairs[index], &pairs[index]);
@@ -120,11 +134,11 @@ pub struct OrthographicView<S: Scalar> {
     /// The faces across each axis, and which of them comes first.
     pairs: [PairView<S>; 3],
     near: [Face; 3],
-    outline: Option<Rectangle>,
+    rows: Rows,
 }
 
 impl<S: Scalar> Empty for OrthographicView<S> {
-    const EMPTY: Self = Self { pairs: [PairView::EMPTY; 3], near: [Face(0); 3], outline: None };
+    const EMPTY: Self = Self { pairs: [PairView::EMPTY; 3], near: [Face(0); 3], rows: Rows::EMPTY };
 }
 
 /// A row of a box, seen along parallel rays.
@@ -135,7 +149,13 @@ pub enum OrthographicRow<S: Scalar> {
     /// The rays cross all faces.
     Across([Ends<S>; 3]),
     /// The rays run along some of the faces, or almost.
-    EdgeOn([PairRow<S>; 3]),
+    EdgeOn {
+        /// Where the faces are crossed, or how high the rays are above them, twice.
+        ends: [Ends<S>; 3],
+        /// Bit i is set where the rays run along pair i. A whole word: so is what tells these rows apart, which
+        /// enums of solids read for each pixel.
+        along: u32,
+    },
 }
 
 impl<S: Scalar> Empty for OrthographicRow<S> {

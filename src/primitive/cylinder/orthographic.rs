@@ -8,7 +8,7 @@ use super::{Cylinder, frame, set_common, wall_span};
 use crate::geom::{Affine, Extent, OrthographicRays};
 use crate::scalar::{Number, Real, Scalar};
 use crate::scan::bounds::{Rows, Steps};
-use crate::scan::planes::{self, EdgeOn, Ends};
+use crate::scan::planes::{self, Ends};
 use crate::scan::{Empty, Leaf};
 use crate::span::Span;
 
@@ -76,7 +76,7 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cylinder<S> {
                 caps.steps(&view.caps, second, view.reach, columns)
             }
             (false, planes::OrthographicRow::EdgeOn(caps)) => {
-                row.kind = Kind::EdgeOn(caps);
+                row.kind = Kind::EdgeOn(caps.height);
                 self.caps.edge_on_steps(&caps)
             }
             (true, planes::OrthographicRow::Across(caps)) => {
@@ -158,9 +158,11 @@ impl<S: Scalar> Cylinder<S> {
         x: i32,
     ) -> Option<Span<S>> {
         match &row.kind {
-            Kind::EdgeOn(caps) => {
+            Kind::EdgeOn(height) => {
                 let [enter, exit] = self.chord(view, row, x)?;
-                self.caps.edge_on_span(caps, x)?.overlap(wall_span(enter, exit)?)
+                self.caps
+                    .edge_on_span(&view.caps.edge_on(*height), x)?
+                    .overlap(wall_span(enter, exit)?)
             }
             Kind::Along(caps) => {
                 let ([_, step, _], [_, other, _]) = (view.first, view.second);
@@ -222,8 +224,8 @@ enum Kind<S: Scalar> {
     Across(Ends<S>),
     /// The rays run along the axis.
     Along(Ends<S>),
-    /// The rays run along the caps, or almost.
-    EdgeOn(EdgeOn<S>),
+    /// The rays run along the caps, or almost: the height of [`EdgeOn`](planes::EdgeOn).
+    EdgeOn(S::Wide),
 }
 
 impl<S: Scalar> Empty for OrthographicRow<S> {

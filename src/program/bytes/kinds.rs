@@ -1,10 +1,10 @@
 //! The solids that have a form as bytes.
 
 use super::{BytesError, Reader, Writer};
-use crate::geom::Direction;
+use crate::geom::{AffineMap, Direction};
 use crate::quadric::{HalfSpace, Planes, Ring, Taper, Wall};
 use crate::scalar::Scalar;
-use crate::solid::{Bounds, Cone, Cuboid, Cylinder, Polyhedron, Solid, Sphere, Torus};
+use crate::solid::{Bounds, Cone, Cuboid, Cylinder, Polyhedron, Scaled, Solid, Sphere, Torus};
 use crate::span::Shape;
 
 /// A solid that has a form as bytes, or an enum of several.
@@ -20,10 +20,10 @@ pub trait Coded: Shape + Sized {
     /// Writes all numbers of it.
     ///
     /// # Errors
-    /// [`BytesError::Length`].
+    /// [`BytesError::Length`]; [`BytesError::Solid`] for numbers that the format has no room for.
     fn write(&self, to: &mut Writer<'_>) -> Result<(), BytesError>;
 
-    /// Reads one of a kind.
+    /// Reads one of a kind. For [`BytesError::Kind`], an enum asks the next of its solids that have the kind.
     ///
     /// # Errors
     /// [`BytesError::Kind`] for a kind that it doesn't [have](Self::has_kind), [`BytesError::Solid`],
@@ -137,6 +137,38 @@ impl<S: Scalar, const N: usize> Coded for Polyhedron<S, N> {
 }
 
 const POLYHEDRON: u8 = 7;
+
+/// The map, then the solid inside, whose kind decides which type of scaled solid it is.
+impl<T: Coded> Coded for Scaled<T> {
+    fn has_kind(kind: u8) -> bool {
+        kind == SCALED
+    }
+
+    fn kind(&self) -> u8 {
+        SCALED
+    }
+
+    fn write(&self, to: &mut Writer<'_>) -> Result<(), BytesError> {
+        let (rows, shift) = self.map.rows().ok_or(BytesError::Solid)?;
+        rows.into_iter().try_for_each(|row| to.vector(row))?;
+        to.vector(shift)?;
+        to.bytes(&[self.solid.kind()])?;
+        self.solid.write(to)
+    }
+
+    fn read(kind: u8, from: &mut Reader<'_>) -> Result<Self, BytesError> {
+        if kind != SCALED {
+            return Err(BytesError::Kind);
+        }
+        let (rows, shift) = ([from.vector()?, from.vector()?, from.vector()?], from.vector()?);
+        let [inner] = from.array()?;
+        let solid = T::read(inner, from)?;
+        let map = AffineMap::of_rows(rows, shift).map_err(|_| BytesError::Solid)?;
+        Ok(Self::new(solid, map))
+    }
+}
+
+const SCALED: u8 = 8;
 
 fn half_space<S: Scalar>(from: &mut Reader<'_>) -> Result<HalfSpace<S>, BytesError> {
     let (normal, offset) = (from.direction()?, from.number::<S>()?);

@@ -4,6 +4,7 @@
 
 mod kinds;
 mod numbers;
+mod read;
 mod reader;
 mod writer;
 
@@ -112,100 +113,9 @@ impl<L: Coded + Copy, const PARTS: usize, const POSES: usize, const SPANS: usize
         }
         to.finish()
     }
-
-    /// Reads a program. All that it says is checked, and nothing but what it has room for is kept.
-    ///
-    /// # Errors
-    /// [`BytesError`].
-    pub fn from_bytes(bytes: &[u8]) -> Result<Self, BytesError> {
-        let mut from = Reader::new(bytes);
-        if from.array()? != MAGIC {
-            return Err(BytesError::Magic);
-        }
-        let [version, number, low, high, poses, zero] = from.array()?;
-        match () {
-            () if version != VERSION => return Err(BytesError::Version),
-            () if number != numbers::format::<Number<L>>() => return Err(BytesError::Number),
-            () if usize::from(u16::from_le_bytes([low, high])) != bytes.len() => {
-                return Err(BytesError::Length);
-            }
-            () if usize::from(poses) > POSES => return Err(BytesError::Tree),
-            () if zero != 0 => return Err(BytesError::Tag),
-            () => {}
-        }
-        // The poses stand in front of the part that a program begins with.
-        let mut behind = from;
-        for _ in 0..poses {
-            behind.pose::<Number<L>>()?;
-        }
-        let first = Dressed::read(&mut behind, poses)?;
-        let mut program = Self::new(first.leaf);
-        for _ in 0..poses {
-            program.add_pose(from.pose()?)?;
-        }
-        from = behind;
-        first.dress(&mut program, 0)?;
-        while let Some(tag) = from.peek() {
-            match tag {
-                UNITE | INTERSECT | SUBTRACT => {
-                    from.array::<1>()?;
-                    match tag {
-                        UNITE => program.unite(2),
-                        INTERSECT => program.intersect(2),
-                        _ => program.subtract(1),
-                    }?;
-                }
-                _ => {
-                    let part = Dressed::read(&mut from, poses)?;
-                    let index = program.push(part.leaf)?;
-                    part.dress(&mut program, index)?;
-                }
-            }
-        }
-        Ok(program)
-    }
 }
 
 type Number<L> = <L as Shape>::Scalar;
-
-/// A part, its colour and the index of its pose.
-struct Dressed<L> {
-    leaf: L,
-    color: Option<crate::solid::Rgb>,
-    pose: Option<usize>,
-}
-
-impl<L: Coded + Copy> Dressed<L> {
-    fn read(from: &mut Reader<'_>, poses: u8) -> Result<Self, BytesError> {
-        let [kind, has] = from.array()?;
-        if kind >= UNITE || has & !(PAINTED | POSED) != 0 {
-            return Err(BytesError::Tag);
-        }
-        let mut color = None;
-        if has & PAINTED != 0 {
-            let [r, g, b] = from.array()?;
-            color = Some(crate::solid::Rgb::new(r, g, b));
-        }
-        let mut pose = None;
-        if has & POSED != 0 {
-            let [index] = from.array()?;
-            if index >= poses {
-                return Err(BytesError::Pose);
-            }
-            pose = Some(index.into());
-        }
-        Ok(Self { leaf: L::read(kind, from)?, color, pose })
-    }
-
-    fn dress<const PARTS: usize, const POSES: usize, const SPANS: usize>(
-        &self,
-        program: &mut Program<L, PARTS, POSES, SPANS>,
-        index: usize,
-    ) -> Result<(), ProgramError> {
-        program.paint(index, self.color)?;
-        program.place(index, self.pose)
-    }
-}
 
 /// The number of bytes of a number.
 const fn width<S: Scalar>() -> usize {

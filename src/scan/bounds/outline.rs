@@ -193,7 +193,7 @@ impl<T: Silhouette> Silhouette for Option<T> {
 #[derive(Debug, Clone, Copy)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rectangle {
-    rows: Rows,
+    pub(crate) rows: Rows,
     columns: Steps,
 }
 

@@ -156,7 +156,7 @@ impl<S: Scalar> OrthographicView<S> {
     }
 
     /// A row of rays along the planes, or almost.
-    fn edge_on(&self, height: S::Wide) -> EdgeOn<S> {
+    pub(crate) fn edge_on(&self, height: S::Wide) -> EdgeOn<S> {
         if self.inverse == S::Wide::ZERO {
             return EdgeOn { height, step: self.step, speed: S::Wide::ZERO };
         }
@@ -275,15 +275,15 @@ impl<S: Scalar> HalfSpace<S> {
 /// Where the middle of a row crosses the planes: first the one, then the other.
 #[derive(Debug, Clone, Copy)]
 pub struct Ends<S: Scalar> {
-    near: S::Wide,
-    far: S::Wide,
+    pub(crate) near: S::Wide,
+    pub(crate) far: S::Wide,
 }
 
-/// A row of rays along the planes, or almost.
+/// A row of rays along the planes, or almost. The view knows it from the height alone.
 #[derive(Debug, Clone, Copy)]
 pub struct EdgeOn<S: Scalar> {
     /// normal·p in the middle, and what half a column adds to it.
-    height: S::Wide,
+    pub(crate) height: S::Wide,
     step: S::Wide,
     /// normal·d.
     speed: S::Wide,

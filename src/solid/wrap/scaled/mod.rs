@@ -63,8 +63,8 @@ use crate::span::{Face, Shape, SpanStack};
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scaled<T: Shape> {
-    solid: T,
-    map: AffineMap<T::Scalar>,
+    pub(crate) solid: T,
+    pub(crate) map: AffineMap<T::Scalar>,
 }
 
 impl<T: Shape> Scaled<T> {
