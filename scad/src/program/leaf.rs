@@ -2,7 +2,7 @@
 
 use super::kind::Kind;
 use scancsg::scalar::Scalar;
-use scancsg::solid::{Cone, Cuboid, Cylinder, Polyhedron, Sphere, Torus};
+use scancsg::solid::{Cone, Cuboid, Cylinder, Polyhedron, Scaled, Sphere, Torus};
 
 /// The most faces that a polyhedron of a program may have. One with more is an intersection of several.
 pub const FACES: usize = 12;
@@ -16,6 +16,10 @@ scancsg::leaves! {
         Cone(Cone<S>),
         Torus(Torus<S>),
         Polyhedron(Polyhedron<S, FACES>),
+        ScaledCylinder(Scaled<Cylinder<S>>),
+        ScaledSphere(Scaled<Sphere<S>>),
+        ScaledCone(Scaled<Cone<S>>),
+        ScaledTorus(Scaled<Torus<S>>),
     }
 }
 
@@ -29,6 +33,10 @@ impl<S: Scalar> Leaf<S> {
             Self::Cone(_) => Kind::Cone,
             Self::Torus(_) => Kind::Torus,
             Self::Polyhedron(_) => Kind::Polyhedron,
+            Self::ScaledCylinder(_) => Kind::ScaledCylinder,
+            Self::ScaledSphere(_) => Kind::ScaledSphere,
+            Self::ScaledCone(_) => Kind::ScaledCone,
+            Self::ScaledTorus(_) => Kind::ScaledTorus,
         }
     }
 }

@@ -6,7 +6,7 @@ use scancsg::geom::OrthographicRays;
 use scancsg::program::{Program, ProgramRow};
 use scancsg::scalar::{I16F16, Scalar};
 use scancsg::scan::Scan;
-use scancsg::solid::{Cone, Cuboid, Cylinder, Polyhedron, Sphere, Torus};
+use scancsg::solid::{Cone, Cuboid, Cylinder, Polyhedron, Scaled, Sphere, Torus};
 use scancsg::span::Shape;
 
 /// Bytes of RAM.
@@ -62,10 +62,10 @@ fn sizes<S: Scalar>(kind: Kind, faces: usize) -> [usize; 3] {
             let [few, more] = [of::<S, Polyhedron<S, 4>>(), of::<S, Polyhedron<S, 12>>()];
             [0, 1, 2].map(|i| few[i] + (more[i] - few[i]) / 8 * faces.saturating_sub(4))
         }
-        Kind::ScaledCylinder => of::<S, Cylinder<S>>(),
-        Kind::ScaledSphere => of::<S, Sphere<S>>(),
-        Kind::ScaledCone => of::<S, Cone<S>>(),
-        Kind::ScaledTorus => of::<S, Torus<S>>(),
+        Kind::ScaledCylinder => of::<S, Scaled<Cylinder<S>>>(),
+        Kind::ScaledSphere => of::<S, Scaled<Sphere<S>>>(),
+        Kind::ScaledCone => of::<S, Scaled<Cone<S>>>(),
+        Kind::ScaledTorus => of::<S, Scaled<Torus<S>>>(),
     }
 }
 

@@ -25,7 +25,6 @@ use crate::picture::View;
 use crate::place::{Body, Model, Placed};
 use crate::tree::Tree;
 use numbers::Writer;
-use scancsg::program::BytesError;
 
 /// A part as a program: its bytes, and what a device needs to hold it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -69,7 +68,7 @@ const MOST_POSES: usize = 254;
 
 fn header(number: NumberType, length: u16, poses: u8) -> Vec<u8> {
     let [low, high] = length.to_le_bytes();
-    vec![b'S', b'P', 1, number.tag(), low, high, poses, 0]
+    vec![b'S', b'P', 1, number.code(), low, high, poses, 0]
 }
 
 /// The program of a part. A polyhedron of more faces than `faces`, from 4 to [`FACES`], is an intersection of several.
@@ -199,14 +198,9 @@ impl Writing<'_> {
         let pose = self.frames.get(solid.frame).copied().flatten();
         let mut numbers = Writer::new(number);
         let kind = part::write(&solid.body, faces, &mut numbers);
-        part::check(number, kind, &numbers.bytes).map_err(|error| {
-            let kind = match error {
-                BytesError::Kind => ErrorKind::NotModelled(
-                    "in a program: a round solid that is stretched unevenly".into(),
-                ),
-                _ => ErrorKind::Limit(out_of_range(number, numbers.largest)),
-            };
-            Error { line: solid.line, kind }
+        part::check(number, kind, &numbers.bytes).map_err(|_| Error {
+            line: solid.line,
+            kind: ErrorKind::Limit(out_of_range(number, numbers.largest)),
         })?;
         let flag = |is_there, bit| if is_there { bit } else { 0 };
         let has = flag(solid.color.is_some(), PAINTED) | flag(pose.is_some(), POSED);

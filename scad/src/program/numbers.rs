@@ -27,6 +27,12 @@ impl NumberType {
         }
     }
 
+    /// The type with a code.
+    #[must_use]
+    pub fn of_code(code: u8) -> Option<Self> {
+        Self::ALL.into_iter().find(|number| number.code() == code)
+    }
+
     /// The largest coordinate that a solid may have.
     #[must_use]
     pub fn most(self) -> f64 {
@@ -36,8 +42,9 @@ impl NumberType {
         }
     }
 
-    /// The byte of the header.
-    pub(super) fn tag(self) -> u8 {
+    /// The code in a program's header, and of devices.
+    #[must_use]
+    pub fn code(self) -> u8 {
         match self {
             Self::F32 => 32,
             Self::I16F16 => 16,
