@@ -13,6 +13,8 @@ const KINDS: usize = Kind::ALL.len();
 
 /// Instructions for a pixel that shows the part: its shading, and what of the walk doesn't depend on the parts.
 const SHADED: u64 = 400;
+/// To read a scaled part, whose map is inverted in `f64`, and make it ready for a picture.
+const SCALED: u64 = 170_000;
 /// To make a part ready for a row.
 const ROW: u64 = 1_150;
 /// To compute the spans of a part's ray, in the order of [`Kind::ALL`]. A torus computes in `f64`, in software.
@@ -29,7 +31,14 @@ impl Work {
     pub fn instructions(&self, parts: usize) -> u64 {
         let rays: u64 = self.rays.iter().zip(RAY).map(|(count, each)| count * each).sum();
         let asked_again = self.asked - self.rays.iter().sum::<u64>() - self.asked_cold;
+        let scaled: u64 = Kind::ALL
+            .iter()
+            .zip(self.views)
+            .filter(|(kind, _)| kind.is_scaled())
+            .map(|(_, count)| count)
+            .sum();
         self.shaded * SHADED
+            + scaled * SCALED
             + self.rows.iter().sum::<u64>() * ROW
             + rays
             + asked_again * AGAIN

@@ -24,6 +24,8 @@ pub struct Work {
     pub pixels: u64,
     /// Pixels that show a part.
     pub shaded: u64,
+    /// How often a part is made ready for a picture.
+    pub views: [u64; KINDS],
     /// How often a part is made ready for a row.
     pub rows: [u64; KINDS],
     /// In how many pixels parts are asked for their spans: the first time, which computes them.
@@ -42,7 +44,7 @@ thread_local! {
     /// The first face of the part that was asked last where several are crossed at once.
     static LAST: Cell<u16> = const { Cell::new(0) };
     static DONE: Cell<Work> = const {
-        Cell::new(Work { pixels: 0, shaded: 0, rows: [0; KINDS], rays: [0; KINDS], asked: 0, entered: 0, tied: 0, asked_cold: 0 })
+        Cell::new(Work { pixels: 0, shaded: 0, views: [0; KINDS], rows: [0; KINDS], rays: [0; KINDS], asked: 0, entered: 0, tied: 0, asked_cold: 0 })
     };
 }
 
@@ -177,6 +179,7 @@ impl Scan<Rays> for Counted {
     type Row = CountedRow<<Leaf<f32> as Scan<Rays>>::Row>;
 
     fn view(&self, rays: &Rays, view: &mut Self::View) {
+        note(|work| work.views[self.0.kind_of() as usize] += 1);
         Scan::<Rays>::view(&self.0, rays, view);
     }
 

@@ -44,6 +44,11 @@ impl Kind {
         }
     }
 
+    /// Whether it is another solid, stretched.
+    pub(super) fn is_scaled(self) -> bool {
+        self.tag() == 8
+    }
+
     /// The kind of a solid like this that is stretched.
     pub(super) fn scaled(self) -> Self {
         match self {
