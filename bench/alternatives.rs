@@ -43,7 +43,8 @@ const BORES: [Tube; 6] = [
 /// (J. C. Hart, Sphere tracing, The Visual Computer 12, 1996.)
 fn tube(&(axis, [u0, v0], radius, [low, high]): &Tube, point: [f32; 3]) -> f32 {
     let along = point[axis];
-    let (u, v) = if axis == 0 { (point[1] - u0, point[2] - v0) } else { (point[0] - u0, point[2] - v0) };
+    let (u, v) =
+        if axis == 0 { (point[1] - u0, point[2] - v0) } else { (point[0] - u0, point[2] - v0) };
     let beside = (u * u + v * v).sqrt() - radius;
     let beyond = (low - along).max(along - high);
     let outside = (beside.max(0.0), beyond.max(0.0));

@@ -1,33 +1,33 @@
 //! The command line.
 
+use crate::console::{say, working};
+use crate::report;
 use clap::Parser;
-use indicatif::{ProgressBar, ProgressStyle};
+use scancsg_scad::map::Map;
 use scancsg_scad::picture::{Angles, BACKGROUND, View, render, write_png};
+use scancsg_scad::program::{NumberType, firmware, program};
 use scancsg_scad::scene::Scene;
-use scancsg_scad::{Error, ErrorKind, Lowered, Model, lower, measure, parse, read, rust};
+use scancsg_scad::{Error, ErrorKind, Lowered, Model, lower, parse, read, rust};
 use std::fs;
-use std::io::{self, Write};
-use std::path::PathBuf;
-use std::time::{Duration, Instant};
-
-/// Prints a line. Whoever reads it may have gone.
-macro_rules! say {
-    ($($line:tt)*) => {{ let _ = writeln!(io::stdout(), $($line)*); }};
-}
+use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 /// Reads a part of OpenSCAD's and shows, measures or checks it.
 ///
-/// Without --out and --report, it says only whether the part is modelled.
+/// Without an option, it says only whether the part is modelled.
 #[derive(Debug, Parser)]
 #[command(
     version,
+    max_term_width = 80,
     after_help = "\
-Exit codes: 0 it worked; 1 a file can't be read or written; 2 wrong options; 3 the file has an error;
-4 something isn't modelled (--skip goes on without it).
+Exit codes: 0 it worked; 1 a file can't be read or written; 2 wrong options;
+3 the file has an error, or the part doesn't fit; 4 something isn't modelled
+(--skip goes on without it).
 
-Modelled: cube, sphere, cylinder, convex polyhedron, circle, square, polygon, group, union, difference,
-intersection, multmatrix, resize, color, render, linear_extrude without twist, rotate_extrude, offset, hull,
-minkowski of unions of convex solids."
+Modelled: cube, sphere, cylinder, convex polyhedron, circle, square, polygon,
+text, group, union, difference, intersection, multmatrix, resize, color, render,
+linear_extrude without twist, rotate_extrude, offset, hull, minkowski of unions
+of convex solids."
 )]
 pub struct Options {
     /// The part: a .csg file, or a .scad file where `openscad` is installed.
@@ -44,6 +44,22 @@ pub struct Options {
     /// Writes a constant of Rust: the part in typed solids, in `f32`.
     #[arg(long, value_name = "RS")]
     rust: Option<PathBuf>,
+    /// Writes the part as a program: bytes that a device reads.
+    #[arg(long, value_name = "SCENE")]
+    program: Option<PathBuf>,
+    /// Writes Rust for firmware: room for the program, its bytes, and a camera.
+    #[arg(long, value_name = "RS")]
+    firmware: Option<PathBuf>,
+    /// The number type of the program: f32, or i16f16 for processors without floating point.
+    #[arg(long, value_name = "TYPE", default_value_t, value_parser = number)]
+    number: NumberType,
+    /// The most faces of a polyhedron of the program. One with more is an
+    /// intersection of several. The example `device` takes 8.
+    #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u8).range(4..=12))]
+    faces: u8,
+    /// Makes the part so many times as large.
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = factor)]
+    scale: f64,
     /// Goes on without what isn't modelled, and says what that is.
     #[arg(long)]
     skip: bool,
@@ -67,6 +83,16 @@ fn angles(text: &str) -> Result<Angles, String> {
     parts.map(Angles).ok_or_else(|| "three angles are written 55,0,25".into())
 }
 
+fn number(text: &str) -> Result<NumberType, String> {
+    let found = NumberType::ALL.into_iter().find(|number| number.name() == text);
+    found.ok_or_else(|| "a number type is f32 or i16f16".into())
+}
+
+fn factor(text: &str) -> Result<f64, String> {
+    let factor = text.parse().ok().filter(|factor| (1e-9..=1e9).contains(factor));
+    factor.ok_or_else(|| "a factor is from 1e-9 to 1e9".into())
+}
+
 /// What the command does. An error comes with the exit code.
 pub fn run(options: &Options) -> Result<(), (u8, Error)> {
     act(options).map_err(|error| {
@@ -82,9 +108,13 @@ pub fn run(options: &Options) -> Result<(), (u8, Error)> {
 fn act(options: &Options) -> Result<(), Error> {
     let began = Instant::now();
     let text = working("reading", || read(&options.part))?;
-    let Lowered { tree, skipped } = working("modelling", || lower(&parse(&text)?, options.skip))?;
+    let Lowered { mut tree, skipped } =
+        working("modelling", || lower(&parse(&text)?, options.skip))?;
     for error in &skipped {
         eprintln!("left out: {error}");
+    }
+    if options.scale != 1.0 {
+        tree.place(&Map::scaling(options.scale));
     }
     let counts = tree.counts();
     let model = Model::of(tree)?;
@@ -97,37 +127,37 @@ fn act(options: &Options) -> Result<(), Error> {
         say!("{} in {:.0?}", path.display(), began.elapsed());
     }
     if let Some(path) = &options.rust {
-        let failed = |error| Error::file(format!("{}: {error}", path.display()));
-        fs::write(path, rust(&model, "PART")?).map_err(failed)?;
+        save(path, rust(&model, "PART")?.as_bytes())?;
     }
+    let made = program(&model, options.number, options.faces.into());
+    if let Some(path) = &options.program {
+        save(path, &made.clone()?.bytes)?;
+    }
+    if let Some(path) = &options.firmware {
+        let (made, corners) = (made.clone()?, scene.corners());
+        let spans = corners.map(|corners| working("tracing", || made.spans(corners)));
+        let spans = spans.transpose()?.flatten().unwrap_or(SPANS);
+        let view = View::of_all(&scene, options.camera, options.size)?;
+        save(path, firmware(&made, &view, spans.max(SPANS)).as_bytes())?;
+    }
+    let is_written = [&options.out, &options.rust, &options.program, &options.firmware]
+        .iter()
+        .any(|path| path.is_some());
     if options.report {
-        say!("solids     {}", counts.solids);
-        say!("operators  {}, on {} levels", counts.operators, counts.levels);
-        say!("frames     {}", model.frames.len());
-        say!("modelled   in {modelled:.1?}");
-        match working("measuring", || measure(&scene, options.pixels)) {
-            None => say!("volume     0"),
-            Some(measures) => {
-                say!("volume     {:.6} ± {:.6}", measures.volume, measures.volume_error);
-                say!("from       {:?}", measures.low.to_array());
-                say!("to         {:?}", measures.high.to_array());
-                say!("spans      {} on a line at most", measures.spans);
-            }
+        report::part(counts, &model, &scene, options.pixels, modelled);
+        match made {
+            Ok(made) => report::program(&made, &scene, options.camera)?,
+            Err(error) => say!("program    none in {}: {error}", options.number),
         }
-    } else if options.out.is_none() && options.rust.is_none() {
+    } else if !is_written {
         say!("modelled: {} solids, {} operators", counts.solids, counts.operators);
     }
     Ok(())
 }
 
-/// Shows that something takes its time, if it does and if somebody is looking.
-fn working<T>(what: &'static str, work: impl FnOnce() -> T) -> T {
-    let bar = ProgressBar::new_spinner().with_message(what);
-    if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed}") {
-        bar.set_style(style);
-    }
-    bar.enable_steady_tick(Duration::from_millis(200));
-    let result = work();
-    bar.finish_and_clear();
-    result
+/// Room for spans of a single ray, if no more are needed.
+const SPANS: usize = 32;
+
+fn save(path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    fs::write(path, bytes).map_err(|error| Error::file(format!("{}: {error}", path.display())))
 }

@@ -27,6 +27,7 @@ mod parse;
 pub mod picture;
 mod place;
 mod prism;
+pub mod program;
 mod read;
 mod rust;
 pub mod scene;

@@ -1,6 +1,8 @@
 //! `scancsg-scad`: OpenSCAD's parts as pictures and in numbers.
 
 mod cli;
+mod console;
+mod report;
 
 use clap::Parser;
 use std::process::ExitCode;

@@ -36,6 +36,12 @@ impl Map {
         Self { shift, ..Self::IDENTITY }
     }
 
+    /// A map that makes everything so many times as large.
+    #[must_use]
+    pub fn scaling(factor: f64) -> Self {
+        Self { columns: Self::IDENTITY.columns.map(|axis| axis * factor), ..Self::IDENTITY }
+    }
+
     /// The map of a matrix of three or four rows of four numbers, as a node `multmatrix` has it.
     #[must_use]
     pub fn of_rows(rows: [[f64; 4]; 3]) -> Self {

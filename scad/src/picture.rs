@@ -3,8 +3,10 @@
 use crate::error::Error;
 use crate::map::Vector;
 use crate::scene::Scene;
-use scancsg::geom::vec3;
+use scancsg::geom::{OrthographicRays, vec3};
 use scancsg::render::{Lambert, Orthographic, Picture, Pixel, Rgb, RowSource, Size};
+use scancsg::scalar::Scalar;
+use scancsg::solid::{Scan, Solid};
 use std::fs::File;
 use std::io::BufWriter;
 use std::path::Path;
@@ -88,44 +90,63 @@ impl Pixel for Rgb8 {
 /// What is behind the part.
 pub const BACKGROUND: Rgb8 = Rgb8([24, 27, 32]);
 
-/// Renders a part, row by row, on all cores, with `background` where nothing is seen.
+/// Renders a part, as a scene or as a program, row by row on all cores, with `background` where nothing is seen.
 ///
 /// # Errors
 /// An [`Error`] for a size or a view that no picture has.
-pub fn render<P: Pixel + Send + Sync>(
-    scene: &Scene,
+pub fn render<S, T, P>(
+    part: &T,
     view: &View,
     [width, height]: [u16; 2],
     background: P,
-) -> Result<Vec<P>, Error> {
-    let wrong = |error: &dyn std::fmt::Display| Error::limit(error.to_string());
-    let size = Size::new(width, height).map_err(|error| wrong(&error))?;
-    let [right, up, back] = view.angles.axes();
-    let camera = Orthographic::look_along(-back, view.target, up, view.height)
-        .map_err(|error| wrong(&error))?;
-    let light =
-        Lambert::new(back * 0.8 + up * 0.5 - right * 0.35, 0.25).map_err(|error| wrong(&error))?;
+) -> Result<Vec<P>, Error>
+where
+    S: Scalar,
+    T: Solid<Scalar = S> + Scan<OrthographicRays<S>> + Sync,
+    P: Pixel + Send + Sync,
+{
+    let size = Size::new(width, height).map_err(|error| Error::limit(error.to_string()))?;
     let mut pixels = vec![background; usize::from(width) * usize::from(height)];
     let cores = thread::available_parallelism().map_or(1, usize::from);
-    let mut rows: Vec<(u16, &mut [P])> = (0..).zip(pixels.chunks_mut(width.into())).collect();
     // Every core takes every so-manieth row, so that all have as much to do.
     let mut shares: Vec<Vec<_>> = (0..cores).map(|_| Vec::new()).collect();
-    for (index, row) in rows.drain(..).enumerate() {
-        shares[index % cores].push(row);
+    for (index, row) in pixels.chunks_mut(width.into()).enumerate() {
+        shares[index % cores].push((index as u16, row));
     }
-    thread::scope(|scope| {
-        for share in shares {
-            let (camera, light) = (&camera, light);
-            scope.spawn(move || {
-                let mut picture = Picture::new(scene, camera, size, light, background);
-                for (y, row) in share {
-                    // The index and the length are right; a row that can't be is background.
-                    let _ = RowSource::render(&mut picture, y, row);
-                }
-            });
-        }
+    let done: Result<(), Error> = thread::scope(|scope| {
+        let start = |share| scope.spawn(move || render_rows(part, view, size, background, share));
+        let threads: Vec<_> = shares.into_iter().map(start).collect();
+        threads.into_iter().try_for_each(|thread| {
+            thread.join().map_err(|_| Error::limit("a thread of the picture has ended"))?
+        })
     });
-    Ok(pixels)
+    done.map(|()| pixels)
+}
+
+fn render_rows<S, T, P>(
+    part: &T,
+    view: &View,
+    size: Size,
+    background: P,
+    rows: Vec<(u16, &mut [P])>,
+) -> Result<(), Error>
+where
+    S: Scalar,
+    T: Solid<Scalar = S> + Scan<OrthographicRays<S>>,
+    P: Pixel,
+{
+    let wrong = |error: &dyn std::fmt::Display| Error::limit(error.to_string());
+    let [right, up, back] = view.angles.axes();
+    let vector = |vector: Vector| vector.map(S::from_f64);
+    let height = S::from_f64(view.height);
+    let camera = Orthographic::look_along(vector(-back), vector(view.target), vector(up), height)
+        .map_err(|error| wrong(&error))?;
+    let towards = vector(back * 0.8 + up * 0.5 - right * 0.35);
+    let light = Lambert::new(towards, S::from_f64(0.25)).map_err(|error| wrong(&error))?;
+    let mut picture = Picture::new(part, &camera, size, light, background);
+    rows.into_iter().try_for_each(|(y, row)| {
+        RowSource::render(&mut picture, y, row).map_err(|error| wrong(&error))
+    })
 }
 
 /// Writes a PNG file.

@@ -194,7 +194,7 @@ fn scad() -> Result<(), String> {
     if !has_program("openscad") {
         install(&["openscad"])?;
     }
-    done(&mut command("cargo test --release --package scancsg-scad -- --include-ignored"))
+    done(&mut command("cargo test --package scancsg-scad -- --include-ignored"))
 }
 
 fn package_of_python() -> Result<(), String> {

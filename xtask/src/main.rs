@@ -22,6 +22,7 @@ mod lidar;
 mod log;
 #[path = "../../examples/oled/screen/mod.rs"]
 mod oled;
+mod part;
 mod paths;
 mod pico;
 #[path = "../../examples/bench/points.rs"]
@@ -74,6 +75,9 @@ enum Chore {
 
     /// Count where the instructions of a part of the example `bench` go
     Profile(profile::Profile),
+
+    /// Build firmware with parts that `scancsg-scad --firmware` made, and print what they take
+    Part(part::Parts),
 
     /// Build the page for browsers, `target/web/scancsg.html`
     Web(web::Web),
@@ -129,6 +133,7 @@ fn main() -> ExitCode {
             .iter()
             .try_for_each(|board| device::check(&Number::ALL.map(|number| (*board, number)))),
         Chore::Profile(chosen) => profile::show(&chosen),
+        Chore::Part(chosen) => part::measure(&chosen),
         Chore::Web(chosen) => web::run(&chosen),
         Chore::Python => python::check(),
         Chore::Arduino => c::arduino(),

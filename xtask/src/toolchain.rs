@@ -191,7 +191,7 @@ impl Toolchain {
         example: &str,
         features: &[&str],
     ) -> Result<PathBuf, String> {
-        self.build_at(Level::Three, board, number, example, features)
+        self.build_with(board, number, example, features, &[])
     }
 
     /// The same at a level of optimisation.
@@ -203,6 +203,19 @@ impl Toolchain {
         example: &str,
         features: &[&str],
     ) -> Result<PathBuf, String> {
+        let level = ("CARGO_PROFILE_FIRMWARE_OPT_LEVEL", Path::new(level.name()));
+        self.build_with(board, number, example, features, &[level])
+    }
+
+    /// The same, with variables of the environment.
+    pub fn build_with(
+        &self,
+        board: Board,
+        number: Number,
+        example: &str,
+        features: &[&str],
+        environment: &[(&str, &Path)],
+    ) -> Result<PathBuf, String> {
         let target = board.target();
         let folder = root().join("target/boards").join(number.name());
         let mut command = self.cargo(target, &format!("--cfg number=\"{number}\""));
@@ -210,7 +223,7 @@ impl Toolchain {
             .args(["build", "--quiet", "--profile", PROFILE])
             .args(["--package", "examples", "--example", example])
             .args(["--features", &features.join(",")])
-            .env("CARGO_PROFILE_FIRMWARE_OPT_LEVEL", level.name())
+            .envs(environment.iter().copied())
             .env("CARGO_TARGET_DIR", &folder);
         output(&mut command)?;
         Ok(folder.join(target).join(PROFILE).join("examples").join(example))
