@@ -1,7 +1,8 @@
 //! The command line.
 
 use crate::console::{say, working};
-use crate::report;
+use crate::host::image;
+use crate::{port, report};
 use clap::Parser;
 use scancsg_scad::map::Map;
 use scancsg_scad::picture::{Angles, BACKGROUND, View, render, write_png};
@@ -60,6 +61,13 @@ pub struct Options {
     /// Makes the part so many times as large.
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = factor)]
     scale: f64,
+    /// Sends the part to a device, in the device's number type, and receives
+    /// the picture that answers it. --out saves that one.
+    #[arg(long, value_name = "DEVICE")]
+    port: Option<String>,
+    /// Bits per second of the line to the device.
+    #[arg(long, value_name = "BAUD", default_value_t = 115_200)]
+    baud: u32,
     /// Goes on without what isn't modelled, and says what that is.
     #[arg(long)]
     skip: bool,
@@ -120,7 +128,15 @@ fn act(options: &Options) -> Result<(), Error> {
     let model = Model::of(tree)?;
     let scene = Scene::of(&model)?;
     let modelled = began.elapsed();
-    if let Some(path) = &options.out {
+    if let Some(device) = &options.port {
+        let make = |number| program(&model, number, options.faces.into());
+        let frame = port::picture(device, options.baud, make)?;
+        let [width, height] = [frame.header.width, frame.header.height];
+        say!("{width} x {height} pixels from {device} in {:.1?}", began.elapsed());
+        if let Some(path) = &options.out {
+            save(path, &image::png(&frame).map_err(Error::file)?)?;
+        }
+    } else if let Some(path) = &options.out {
         let view = View::of_all(&scene, options.camera, options.size)?;
         let pixels = working("rendering", || render(&scene, &view, options.size, BACKGROUND))?;
         write_png(path, options.size, &pixels)?;
@@ -142,7 +158,8 @@ fn act(options: &Options) -> Result<(), Error> {
     }
     let is_written = [&options.out, &options.rust, &options.program, &options.firmware]
         .iter()
-        .any(|path| path.is_some());
+        .any(|path| path.is_some())
+        || options.port.is_some();
     if options.report {
         report::part(counts, &model, &scene, options.pixels, modelled);
         match made {

@@ -2,6 +2,13 @@
 
 mod cli;
 mod console;
+#[path = "../../examples/host/mod.rs"]
+mod host;
+#[cfg(test)]
+#[path = "../../examples/stream/line.rs"]
+#[allow(dead_code)] // tests take what they need
+mod line;
+mod port;
 mod report;
 
 use clap::Parser;

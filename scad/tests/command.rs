@@ -32,11 +32,12 @@ fn exit_codes_say_what_is_wrong() -> Result<(), Box<dyn Error>> {
     let wrong = part("wrong.csg", "cube(size = [3, 2, 1]")?;
     let surface = part("surface.csg", "cube(size = [3, 2, 1]);\nsurface(file = \"a.png\");")?;
     let out = scratch("codes.scene").to_string_lossy().into_owned();
-    let cases: [(&[&str], i32, &str); 8] = [
+    let cases: [(&[&str], i32, &str); 9] = [
         (&[&good], 0, "1 solids"),
         (&[&good, "--program", &out], 0, ""),
         (&["there-is-none.csg"], 1, "there-is-none.csg"),
         (&[&good, "--program", "there/is/no/folder.scene"], 1, "folder.scene"),
+        (&[&good, "--port", "there-is-no-such-port"], 1, "there-is-no-such-port"),
         (&[&good, "--number", "f16"], 2, "f32 or i16f16"),
         (&[&wrong], 3, ""),
         (&[&far, "--program", &out, "--number", "i16f16"], 3, "--scale 0.02"),
@@ -73,7 +74,7 @@ fn files_are_what_a_device_reads() -> Result<(), Box<dyn Error>> {
 #[test]
 fn the_help_fits_a_terminal() -> Result<(), Box<dyn Error>> {
     let help = String::from_utf8(run(&["--help"])?.stdout)?;
-    for option in ["--program", "--firmware", "--report", "--scale", "Exit codes"] {
+    for option in ["--program", "--firmware", "--port", "--report", "--scale", "Exit codes"] {
         assert!(help.contains(option), "{option}");
     }
     let wide: Vec<&str> = help.lines().filter(|line| line.chars().count() > 80).collect();
