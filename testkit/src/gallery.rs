@@ -5,7 +5,7 @@ use scancsg::render::{Lambert, Orthographic, Picture, Rgb565, Size};
 use scancsg::solid::{Scan, Solid};
 
 const GOLDEN: &str = include_str!("../../examples/tests/gallery.txt");
-const VIEW: Vec3<f32> = vec3(-0.519_615_24, -0.5, -0.692_820_32);
+const VIEW: Vec3<f32> = vec3(-0.519_615_24, -0.5, -0.692_820_3);
 const WIDTH: u16 = 64;
 const HEIGHT: u16 = 48;
 
@@ -36,7 +36,8 @@ where
         for Rgb565(bits) in row {
             for (shift, most) in [(11, 31), (5, 63), (0, 31)] {
                 let level = u32::from(bits) >> shift & most;
-                hash = (hash ^ (level * 255 + most / 2) / most).wrapping_mul(0x0100_0193);
+                let byte = (level * 255 + most / 2) / most;
+                hash = (hash ^ byte).wrapping_mul(0x0100_0193);
             }
         }
     }
