@@ -164,6 +164,18 @@ impl Toolchain {
         example: &str,
         features: &[&str],
     ) -> Result<PathBuf, String> {
+        self.build_with(board, number, example, features, None)
+    }
+
+    /// The same with a variable of the compiler's environment, which the example reads.
+    pub fn build_with(
+        &self,
+        board: Board,
+        number: Number,
+        example: &str,
+        features: &[&str],
+        variable: Option<(&str, String)>,
+    ) -> Result<PathBuf, String> {
         let target = board.target();
         let folder = root().join("target/boards").join(number.name());
         let mut command = self.cargo(target, &format!("--cfg number=\"{number}\""));
@@ -171,6 +183,7 @@ impl Toolchain {
             .args(["build", "--quiet", "--profile", PROFILE])
             .args(["--package", "examples", "--example", example])
             .args(["--features", &features.join(",")])
+            .envs(variable)
             .env("CARGO_TARGET_DIR", &folder);
         output(&mut command)?;
         Ok(folder.join(target).join(PROFILE).join("examples").join(example))

@@ -56,6 +56,16 @@ impl<S: Scalar> PerspectiveBall<S> {
         Rows::of(Steps::between::<S>(at, low, high, low.abs() + high.abs()))
     }
 
+    /// The rows that can meet the ball.
+    pub(crate) fn in_rows(&self) -> Rows {
+        self.rows
+    }
+
+    /// How deep the ball's nearest and its farthest point are from the eye, for a distance.
+    pub(crate) fn depths(&self, distance: S::Wide) -> [S::Wide; 2] {
+        (self.center.z + distance).around(self.radius)
+    }
+
     /// d in a row.
     pub(crate) fn direction(&self, y: i32) -> [Affine<S::Wide>; 3] {
         let x = Affine { middle: S::Wide::ZERO, step: self.slope };

@@ -1,4 +1,4 @@
-//! The cylinder, seen from an eye.
+//! Chords: where a ray from an eye meets the wall, from its own vectors.
 //!
 //! In a row, q = u × axis and m = d × axis are affine in the column, and so is k = u·m, because
 //! all rays run through the eye. Both vectors are at right angles to the axis, so two coordinates
@@ -8,23 +8,20 @@
 //! m, as they are rounded: then the three belong to one ray, which is a pixel's but for the rounding of
 //! its point and direction, also where it is nearly parallel to the axis and m is small.
 
-use super::{Cylinder, frame, set_common, wall_span};
+use super::super::{Cylinder, frame, set_common, wall_span};
 use crate::geom::{Affine, Extent, PerspectiveRays, Vec3};
 use crate::scalar::{Number, Real, Roots, Scalar};
 use crate::scan::bounds::{PerspectiveBall, Silhouette, constant, extent};
-use crate::scan::{Leaf, planes};
+use crate::scan::planes;
 use crate::span::{Face, Span};
 
-impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cylinder<S> {
-    type View = Option<PerspectiveView<S>>;
-    type Row = Option<PerspectiveRow<S>>;
-    type Spans = [Span<S>; 1];
-
-    fn view(&self, rays: &PerspectiveRays<S>) -> Self::View {
-        let axis = self.caps.normal.wide();
+impl<S: Scalar> ChordView<S> {
+    pub(super) fn new(cylinder: &Cylinder<S>, rays: &PerspectiveRays<S>) -> Self {
+        let Cylinder { wall, caps } = cylinder;
+        let axis = caps.normal.wide();
         let plane = &rays.plane;
         let inverse_distance = rays.inverse_distance;
-        let [u, right, down] = plane.steps(self.wall.base.wide());
+        let [u, right, down] = plane.steps(wall.base.wide());
         let across = frame(axis);
         let flat = |moment: Vec3<S::Wide>| across.map(|side| side.dot(moment));
         let m = plane.forward.cross(axis);
@@ -34,60 +31,69 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cylinder<S> {
             (flat(moment), k)
         });
         let at_eye = u.cross(axis) - m * rays.distance;
-        let radius = self.wall.radius.wide();
-        let (center, ball_radius) = self.bounding_ball();
-        Some(PerspectiveView {
+        let radius = wall.radius.wide();
+        let (center, ball_radius) = cylinder.bounding_ball();
+        Self {
             moment: [flat(u.cross(axis)), right.0, down.0],
             turn: flat(m),
             reach: [u.dot_compensated(m), right.1, down.1],
             blur: ((radius + S::ROUNDING.wide()) * S::ROUNDING.wide()).sqrt(),
             eye_within: at_eye.length_squared() < radius * radius,
-            caps: planes::PerspectiveView::new(&self.caps.normal, rays),
+            caps: planes::PerspectiveView::new(&caps.normal, rays),
             ball: PerspectiveBall::new(center, ball_radius, rays),
-        })
+        }
     }
 
     #[inline]
-    fn is_in_rows(&self, view: &Self::View, rows: [i32; 2]) -> bool {
-        view.as_ref().is_some_and(|view| view.ball.is_in_rows(rows))
+    pub(super) fn is_in_rows(&self, rows: [i32; 2]) -> bool {
+        self.ball.is_in_rows(rows)
     }
 
-    #[inline(never)]
-    fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
-        *row = None;
-        let Some(view) = view else { return Extent::EMPTY };
-        let [[q0, q1], [right0, right1], [down0, down1]] = view.moment;
-        let [m0, m1] = view.turn;
+    pub(super) fn row(&self, y: i32) -> ChordRow<S> {
+        let [[q0, q1], [right0, right1], [down0, down1]] = self.moment;
+        let [m0, m1] = self.turn;
         let axis = |q, m, right, down| {
             let offset = Affine::row([S::Wide::ZERO, right, down], y);
-            (offset.above(q), offset.times(view.caps.inverse_distance).above(m))
+            (offset.above(q), offset.times(self.caps.inverse_distance).above(m))
         };
         let ((q0, m0), (q1, m1)) = (axis(q0, m0, right0, down0), axis(q1, m1, right1, down1));
-        let reach = Affine::row(view.reach, y);
-        // r|m| ≥ |k| with k off by `ROUNDING`, however small m is: (r + b)²m² + (r + b)b ≥ (r|m| + b)².
-        let radius = self.wall.radius.plus(S::ROUNDING).wide();
-        let wide = [m0.times(radius), m1.times(radius), constant(view.blur)];
-        let silhouette = extent(&wide, &[reach], columns);
-        let caps = planes::PerspectiveRow::new(&view.caps, y);
-        *row = Some(PerspectiveRow { moment: [q0, q1], turn: [m0, m1], caps });
-        silhouette.overlap(view.ball.extent(y, columns))
+        let caps = planes::PerspectiveRow::new(&self.caps, y);
+        ChordRow { moment: [q0, q1], turn: [m0, m1], caps }
     }
 
+    /// The columns of a row.
+    pub(super) fn extent(&self, row: &ChordRow<S>, radius: S, y: i32, columns: u32) -> Extent {
+        let [m0, m1] = row.turn;
+        let reach = Affine::row(self.reach, y);
+        // r|m| ≥ |k| with k off by `ROUNDING`, however small m is: (r + b)²m² + (r + b)b ≥ (r|m| + b)².
+        let radius = radius.plus(S::ROUNDING).wide();
+        let wide = [m0.times(radius), m1.times(radius), constant(self.blur)];
+        extent(&wide, &[reach], columns).overlap(self.ball.extent(y, columns))
+    }
+}
+
+impl<S: Scalar> ChordRow<S> {
+    /// Sets a ray's span to that of the cylinder, if there is one.
     #[inline(always)]
-    fn spans(&self, view: &Self::View, row: &Self::Row, x: i32, [span]: &mut [Span<S>; 1]) {
-        *span = Span::NOWHERE;
-        let (Some(view), Some(row)) = (view, row) else { return };
-        let q = row.moment.map(|part| S::from_wide(part.at(x)));
-        let m = row.turn.map(|part| S::unit(part.at(x)));
-        let chord = match S::chord(self.wall.radius, [S::moment(q, m)], q, m) {
+    pub(super) fn set_span(
+        &self,
+        cylinder: &Cylinder<S>,
+        eye_within: bool,
+        x: i32,
+        span: &mut Span<S>,
+    ) {
+        let Cylinder { wall, caps } = cylinder;
+        let q = self.moment.map(|part| S::from_wide(part.at(x)));
+        let m = self.turn.map(|part| S::unit(part.at(x)));
+        let chord = match S::chord(wall.radius, [S::moment(q, m)], q, m) {
             Some(Roots::Between(enter, exit)) => [enter, exit],
-            None => match self.nearly_along(view, row, x) {
+            None => match self.nearly_along(wall.radius, eye_within, x) {
                 Some(chord) => chord,
                 None => return,
             },
             _ => return,
         };
-        let between = self.caps.perspective_roots(&row.caps, x);
+        let between = caps.perspective_roots(&self.caps, x);
         match between.roots {
             // For each order in its place: the faces are constants.
             Roots::Between(low, high) if between.upwards => {
@@ -103,9 +109,7 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cylinder<S> {
             Roots::Outside => {}
         }
     }
-}
 
-impl<S: Scalar> Cylinder<S> {
     /// Where a ray is inside the wall that is nearly parallel to the axis, or exactly.
     ///
     /// In fixed point, a direction has less digits than what it is rounded from. These are enough for rays
@@ -114,15 +118,15 @@ impl<S: Scalar> Cylinder<S> {
     #[inline(never)]
     fn nearly_along(
         &self,
-        view: &PerspectiveView<S>,
-        row: &PerspectiveRow<S>,
+        radius: S,
+        eye_within: bool,
         x: i32,
     ) -> Option<[S; 2]> {
         if S::SHORTEST > S::ZERO {
             let sixteen = S::Wide::from_int(16);
-            let q = row.moment.map(|part| S::from_wide(part.at(x)));
-            let m = row.turn.map(|part| S::unit(part.at(x) * sixteen));
-            match S::chord(self.wall.radius, [S::moment(q, m)], q, m) {
+            let q = self.moment.map(|part| S::from_wide(part.at(x)));
+            let m = self.turn.map(|part| S::unit(part.at(x) * sixteen));
+            match S::chord(radius, [S::moment(q, m)], q, m) {
                 Some(Roots::Between(enter, exit)) => {
                     return Some([enter, exit].map(|t| S::from_wide(t.wide() * sixteen)));
                 }
@@ -130,13 +134,13 @@ impl<S: Scalar> Cylinder<S> {
                 None => {}
             }
         }
-        view.eye_within.then_some([S::LOWEST, S::HIGHEST])
+        eye_within.then_some([S::LOWEST, S::HIGHEST])
     }
 }
 
 /// A cylinder, seen from an eye: values in the middle of the picture and their steps.
 #[derive(Debug, Clone, Copy)]
-pub struct PerspectiveView<S: Scalar> {
+pub struct ChordView<S: Scalar> {
     /// q.
     moment: [[S::Wide; 2]; 3],
     /// m in the middle; its steps are those of q times the convergence.
@@ -146,14 +150,14 @@ pub struct PerspectiveView<S: Scalar> {
     /// √((r + b)b), where b is [`Scalar::ROUNDING`].
     blur: S::Wide,
     /// Whether the eye lies inside the infinite cylinder, and with it any ray along the axis.
-    eye_within: bool,
+    pub(super) eye_within: bool,
     caps: planes::PerspectiveView<S>,
     ball: PerspectiveBall<S>,
 }
 
 /// A row of a cylinder, seen from an eye.
 #[derive(Debug, Clone, Copy)]
-pub struct PerspectiveRow<S: Scalar> {
+pub struct ChordRow<S: Scalar> {
     /// Two coordinates of q, and of m.
     moment: [Affine<S::Wide>; 2],
     turn: [Affine<S::Wide>; 2],

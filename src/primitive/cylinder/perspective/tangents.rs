@@ -1,0 +1,401 @@
+//! The cylinder seen from an eye outside of its wall, in fixed point.
+//!
+//! Instead of a ray's parameter t, a pixel computes w = Z/(D + t): the inverse depth, with D the eye's
+//! distance from the picture's middle and Z a power of two times D. It is affine along planes. So rays
+//! from the eye become parallel ones, and nothing is divided before a crossing counts.
+//!
+//! With e the eye as seen from the axis, across it, c = |e|² − r², and d a ray's direction across the axis, the
+//! wall is crossed at `w = W ± √(A·B)`, where W, A and B are Z/c times scalar products of d:
+//!
+//!     W = −e·d    A = (−r e + √c e⊥)·d/|e|    B = (−r e − √c e⊥)·d/|e|
+//!
+//! All three are affine in the pixel. A and B are the distances from the two planes through the eye that
+//! touch the wall, so both are positive where a ray meets it. A cap is crossed where `H·w = h`, with H its
+//! height above the eye, and h that of the image plane's point times Z/D.
+
+use super::super::Cylinder;
+use super::chord::{ChordRow, ChordView};
+use crate::geom::{Affine, Axis, Direction, Extent, PerspectiveRays, Vec3};
+use crate::numeric::{product, unsigned_product};
+use crate::quadric::WALL;
+use crate::scalar::integer::{leading_zeros, normalized, reciprocal, shift_right, sqrt};
+use crate::scalar::{FixedPoint, Number, Scalar, Wide};
+use crate::scan::bounds::{PerspectiveBall, Rows, Steps};
+use crate::scan::{OPEN, planes};
+use crate::span::{Crossing, Face, Span};
+
+/// The bits behind the point of what is affine in the pixel, and of what a pixel makes of it.
+const AFFINE_BITS: i32 = 44;
+const PIXEL_BITS: i32 = 28;
+/// W is less than this in all pixels that are asked: then A and B are less than twice as much.
+const LARGEST: i64 = 4 << AFFINE_BITS;
+
+/// A cylinder, seen from an eye.
+#[derive(Debug, Clone, Copy)]
+pub enum TangentView<S: Scalar> {
+    /// From outside of the wall.
+    Outside(Tangents<S>),
+    /// From inside of the wall, or too near to it, or to the caps.
+    Near(PerspectiveRays<S>),
+}
+
+/// A row of it.
+#[derive(Debug, Clone, Copy)]
+pub enum TangentRow<S: Scalar> {
+    /// From outside of the wall.
+    Outside(Pixels<S>),
+    /// From inside or near, and whether from inside.
+    Near(ChordRow<S>, bool),
+}
+
+/// Values in the middle of the picture, and their steps to the right and down.
+#[derive(Debug, Clone, Copy)]
+pub struct Tangents<S: Scalar> {
+    /// W, and [A, B].
+    middle: [S::Wide; 3],
+    sides: [[S::Wide; 3]; 2],
+    caps: planes::PerspectiveView<S>,
+    /// How high the eye is along the axis.
+    eye_height: S::Wide,
+    /// r/|e|.
+    slope: S::Wide,
+    /// D.
+    distance: S::Wide,
+    /// Z as `zoom · 2^exponent` in the last unit of [`Wide`].
+    zoom: u32,
+    exponent: i32,
+    /// D/Z is 2 to the power of this.
+    halvings: i32,
+    rows: Rows,
+}
+
+/// Values in the middle of a row, and their steps.
+#[derive(Debug, Clone, Copy)]
+pub struct Pixels<S: Scalar> {
+    middle: Affine<S::Wide>,
+    sides: [Affine<S::Wide>; 2],
+    /// How high the ray is above the eye where it has t = 0, in the units of `ends` times w.
+    rise: Affine<S::Wide>,
+    /// How fast it rises.
+    speed: Affine<S::Wide>,
+    /// How high the caps are above the eye.
+    ends: [S; 2],
+}
+
+impl<S: FixedPoint> TangentView<S> {
+    pub(super) fn new(cylinder: &Cylinder<S>, rays: &PerspectiveRays<S>) -> Self {
+        Tangents::new(cylinder, rays).map_or(Self::Near(*rays), Self::Outside)
+    }
+
+    #[inline]
+    pub(super) fn is_in_rows(&self, rows: [i32; 2]) -> bool {
+        match self {
+            Self::Outside(view) => view.rows.meet(rows),
+            Self::Near(_) => true,
+        }
+    }
+
+    pub(super) fn row(
+        &self,
+        cylinder: &Cylinder<S>,
+        y: i32,
+        columns: u32,
+    ) -> (TangentRow<S>, Extent) {
+        match self {
+            Self::Outside(view) => {
+                let row = view.row(cylinder, y);
+                (TangentRow::Outside(row), view.extent(&row, columns))
+            }
+            Self::Near(rays) => {
+                let view = ChordView::new(cylinder, rays);
+                let row = view.row(y);
+                let extent = view.extent(&row, cylinder.wall.radius, y, columns);
+                (TangentRow::Near(row, view.eye_within), extent)
+            }
+        }
+    }
+}
+
+/// Two numbers as `numbers · 2^exponent`, the larger of which has 30 bits.
+fn block([a, b]: [Wide; 2]) -> ([i32; 2], i32) {
+    let (a, b) = (a.to_bits(), b.to_bits());
+    let exponent = 34 - leading_zeros(a.unsigned_abs() | b.unsigned_abs()) as i32;
+    ([a, b].map(|x| shift_right(x, exponent) as i32), exponent)
+}
+
+/// A positive number as one of 31 bits times a power of two.
+fn mantissa(number: Wide) -> (i32, i32) {
+    let (bits, exponent) = normalized(number.to_bits().unsigned_abs());
+    ((bits >> 1).cast_signed(), exponent + 1)
+}
+
+/// The number of bits of a positive number.
+fn bits(number: i64) -> i32 {
+    64 - leading_zeros(number.unsigned_abs()) as i32
+}
+
+fn dot([a, b]: [i32; 2], [x, y]: [i32; 2]) -> i64 {
+    product(a, x) + product(b, y)
+}
+
+/// The two coordinates of a vector across an axis.
+fn across<S: Scalar>(axis: &Direction<S>) -> impl Fn(Vec3<S::Wide>) -> [S::Wide; 2] {
+    let along = axis.along();
+    let sides = if along.is_none() { Some(super::super::frame(axis.wide())) } else { None };
+    move |v| match sides {
+        Some(sides) => sides.map(|side| side.dot(v)),
+        None => along.unwrap_or(Axis::X).across(v),
+    }
+}
+
+impl<S: FixedPoint> Tangents<S> {
+    /// `None` from inside of the wall, or too near.
+    fn new(cylinder: &Cylinder<S>, rays: &PerspectiveRays<S>) -> Option<Self> {
+        let Cylinder { wall, caps } = cylinder;
+        let plane = &rays.plane;
+        let across = across(&caps.normal);
+        // Of unit vectors, 30 bits are behind the point.
+        let unit = |v| across(v).map(|x: Wide| (x.to_bits() >> 2) as i32);
+        let times = |[x, y]: [i32; 2], (length, exponent): (i32, i32)| {
+            ([x, y].map(|x| (product(x, length) >> 31) as i32), exponent + 1)
+        };
+        let (zoom, zoom_exponent) = mantissa(rays.distance);
+        let half_pixel = mantissa(plane.half_pixel);
+        let forward = times(unit(plane.forward), (zoom, zoom_exponent));
+        let right = times(unit(plane.right), half_pixel);
+        let down = times(unit(plane.down), half_pixel);
+
+        let [x, y] = across(plane.center - wall.base.wide());
+        let back = forward.0.map(|x| Wide::from_bits(shift_right(x.into(), -forward.1)));
+        let (eye, exponent) = block([x - back[0], y - back[1]]);
+        // At most 2⁶⁰ · 2, so the length has 30 or 31 bits.
+        let square = dot(eye, eye).unsigned_abs();
+        let length = sqrt(square);
+        let radius = shift_right(wall.radius.wide().to_bits(), exponent);
+        let gap = i64::from(length) - radius;
+        if radius < 1 << 8 || gap <= i64::from(length >> 8) {
+            return None;
+        }
+        let radius = radius as i32;
+        let c = square - unsigned_product(radius.cast_unsigned(), radius.cast_unsigned());
+        let root = sqrt(c).cast_signed();
+
+        let (center, ball_radius) = cylinder.bounding_ball();
+        let ball = PerspectiveBall::new(center, ball_radius, rays);
+        let [nearest, farthest] = ball.depths(rays.distance);
+        let of_distance = bits(rays.distance.to_bits());
+        // W is less than 2 to the power of the smaller one of two bounds: by the nearest point of the ball,
+        // and by the eye's distance from the wall, because directions have coordinates below 8.
+        let by_gap = of_distance + 5 - bits(shift_right(gap, -exponent));
+        let by_ball = of_distance + bits(length.into()) + 2 - bits(nearest.to_bits()) - bits(gap);
+        let bound = if nearest > Wide::ZERO { by_gap.min(by_ball) } else { by_gap };
+        let halvings = (bound - 2).max(-8);
+        // The last bit of w must not be more than 4 units of t for each unit of depth.
+        let most = 29 - S::BITS as i32 + of_distance - bits(farthest.to_bits());
+        if halvings > most.min(S::BITS as i32 - 4) {
+            return None;
+        }
+
+        // Directions have coordinates below 8, so nothing that is affine exceeds its range.
+        if of_distance - halvings + bits(length.into()) - exponent - bits(c.cast_signed()) > 11 {
+            return None;
+        }
+
+        let (part, short) = normalized(length.into());
+        let inverse = (reciprocal(part) >> 1).cast_signed();
+        let by_length = |x: i64| shift_right(product((x >> 31) as i32, inverse), 31 + short);
+        let [e0, e1] = eye;
+        let side = |root: i32| {
+            [
+                by_length(-product(radius, e0) - product(root, e1)) as i32,
+                by_length(product(root, e0) - product(radius, e1)) as i32,
+            ]
+        };
+        let (part, short) = normalized(c);
+        let inverse = (reciprocal(part) >> 1).cast_signed();
+        let values = |plane: [i32; 2]| {
+            [forward, right, down].map(|(step, of_step)| {
+                let shift = short + exponent + halvings - of_step + 31 - AFFINE_BITS;
+                let bits = (dot(plane, step) >> 31) as i32;
+                Wide::from_bits(shift_right(product(bits, inverse), shift))
+            })
+        };
+        let view = planes::PerspectiveView::new(&caps.normal, rays);
+        let slope = by_length(i64::from(radius) << 30);
+        Some(Self {
+            middle: values([-e0, -e1]),
+            sides: [values(side(root)), values(side(-root))],
+            eye_height: view.at_eye(rays.distance),
+            caps: view,
+            slope: Wide::from_bits(shift_right(slope, -2)),
+            distance: rays.distance,
+            zoom: zoom.cast_unsigned(),
+            exponent: 63 - PIXEL_BITS + halvings - zoom_exponent,
+            halvings,
+            rows: ball.in_rows(),
+        })
+    }
+
+    fn row(&self, cylinder: &Cylinder<S>, y: i32) -> Pixels<S> {
+        let caps = planes::PerspectiveRow::new(&self.caps, y);
+        let [height, speed] = caps.lines();
+        let above = |height: Wide| height - self.eye_height;
+        let rise = [above(height.middle), height.step];
+        let [middle, step] = rise.map(|x| Wide::from_bits(x.to_bits() << self.finer()));
+        Pixels {
+            middle: Affine::row(self.middle, y),
+            sides: self.sides.map(|side| Affine::row(side, y)),
+            rise: Affine { middle, step },
+            speed,
+            ends: [cylinder.caps.low, cylinder.caps.high].map(|end| S::from_wide(above(end.wide()))),
+        }
+    }
+
+    /// So many bits has [`Pixels::rise`] below the last one of [`Wide`].
+    fn finer(&self) -> i32 {
+        S::BITS as i32 + PIXEL_BITS - 32 - self.halvings
+    }
+
+    /// The columns of a row: between the planes that touch the wall, and two that touch the caps. With
+    /// |w − W| ≤ W·r/|e| on the wall, a cap's edge is between `H·W·(1 ± r/|e|)`.
+    fn extent(&self, row: &Pixels<S>, columns: u32) -> Extent {
+        let [a, b] = row.sides.map(Steps::not_below);
+        let steps = a.overlap(b);
+        if steps.are_beside(columns) {
+            return Extent::EMPTY;
+        }
+        let shifted = |line: Affine<Wide>, shift| {
+            let [middle, step] = [line.middle, line.step]
+                .map(|x| Wide::from_bits(shift_right(x.to_bits(), shift)));
+            Affine { middle, step }
+        };
+        let middle = shifted(row.middle, AFFINE_BITS - 32 - self.halvings);
+        let rise = shifted(row.rise, self.finer());
+        let room = S::ROUNDING.wide() * Wide::from_int(16);
+        let [low, high] = row.ends.map(Scalar::wide);
+        // Where a cap is beyond the eye's own height, its far side is seen farther off.
+        let lean = |end: Wide, sign: Wide| {
+            let lean = self.slope * end.abs() * sign;
+            middle.times(end + lean)
+        };
+        let edge = |over: Affine<Wide>, under: Affine<Wide>| {
+            let room = room + Wide::from_bits(over.middle.abs().to_bits() >> 24);
+            Steps::not_below(Affine {
+                middle: over.middle - under.middle + room,
+                step: over.step - under.step,
+            })
+        };
+        let steps = steps
+            .overlap(edge(rise, lean(low, -Wide::ONE)))
+            .overlap(edge(lean(high, Wide::ONE), rise));
+        let room = Wide::from_bits(LARGEST) - row.middle.middle;
+        let near = Affine { middle: room, step: -row.middle.step };
+        steps.overlap(Steps::not_below(near)).columns(columns)
+    }
+
+    /// The parameter of an inverse depth.
+    #[inline(always)]
+    fn parameter(&self, w: u32) -> S {
+        let zeros = w.leading_zeros();
+        let inverse = reciprocal(w << zeros);
+        let depth = unsigned_product(self.zoom, inverse).cast_signed();
+        let depth = shift_right(depth, self.exponent - zeros.cast_signed());
+        S::from_wide(Wide::from_bits(depth) - self.distance)
+    }
+
+    /// Where a ray crosses a cap.
+    #[inline(never)]
+    fn at_cap(&self, cap: S, row: &Pixels<S>, x: i32) -> Option<S> {
+        let speed = row.speed.at(x);
+        let rise = Wide::from_bits(row.rise.at(x).to_bits() >> self.finer());
+        let height = rise + self.eye_height;
+        (speed != Wide::ZERO).then(|| S::quotient(cap.wide() - height, speed))
+    }
+}
+
+impl<S: FixedPoint> Pixels<S> {
+    /// How far the point of a ray with an inverse depth is above the low cap and below the high one: each
+    /// times that depth.
+    #[inline(always)]
+    fn inside(&self, rise: i64, w: u32) -> [bool; 2] {
+        let [low, high] = self.ends.map(|end| product(end.to_bits(), w.cast_signed()));
+        [low <= rise, rise <= high]
+    }
+
+}
+
+impl<S: FixedPoint> TangentRow<S> {
+    /// Sets a ray's span to that of the cylinder, if there is one. Its end is left open: the inverse depth
+    /// there takes its place.
+    #[inline(always)]
+    pub(super) fn set_span(
+        &self,
+        cylinder: &Cylinder<S>,
+        view: &TangentView<S>,
+        x: i32,
+        span: &mut Span<S>,
+    ) {
+        let (Self::Outside(row), TangentView::Outside(view)) = (self, view) else {
+            return self.set_near(cylinder, x, span);
+        };
+        let [a, b] = row.sides.map(|side| side.at(x).to_bits());
+        let middle = row.middle.at(x).to_bits();
+        // All are small numbers where all are positive. Else their upper bits say that they aren't.
+        if a < 0 || b < 0 || !(0..LARGEST).contains(&middle) {
+            return;
+        }
+        let [a, b, middle] = [a, b, middle].map(|x| (x >> (AFFINE_BITS - PIXEL_BITS)) as u32);
+        let half = sqrt(unsigned_product(a, b));
+        if half == 0 {
+            return;
+        }
+        let (near, far) = (middle.wrapping_add(half), middle.wrapping_sub(half));
+        let rise = row.rise.at(x).to_bits();
+        let enter = match row.inside(rise, near) {
+            [true, true] => Crossing { t: view.parameter(near), face: WALL },
+            [above, _] => {
+                let [low, high] = row.inside(rise, far);
+                let (reaches, cap, face) = if above {
+                    (high, cylinder.caps.high, Face(1))
+                } else {
+                    (low, cylinder.caps.low, Face(0))
+                };
+                match view.at_cap(cap, row, x).filter(|_| reaches) {
+                    Some(t) => Crossing { t, face },
+                    None => return,
+                }
+            }
+        };
+        *span = Span { enter, exit: Crossing { t: S::from_bits(far.cast_signed()), face: OPEN } };
+    }
+
+    #[inline(never)]
+    fn set_near(&self, cylinder: &Cylinder<S>, x: i32, span: &mut Span<S>) {
+        if let Self::Near(row, eye_within) = self {
+            row.set_span(cylinder, *eye_within, x, span);
+        }
+    }
+
+    /// Sets the end of a span that was left open.
+    pub(super) fn close(
+        &self,
+        cylinder: &Cylinder<S>,
+        view: &TangentView<S>,
+        x: i32,
+        span: &mut Span<S>,
+    ) {
+        let (Self::Outside(row), TangentView::Outside(view)) = (self, view) else { return };
+        if span.exit.face != OPEN {
+            return;
+        }
+        let far = span.exit.t.to_bits().cast_unsigned();
+        let (t, face) = match row.inside(row.rise.at(x).to_bits(), far) {
+            [true, true] => (Some(view.parameter(far)), WALL),
+            [false, _] => (view.at_cap(cylinder.caps.low, row, x), Face(0)),
+            [true, false] => (view.at_cap(cylinder.caps.high, row, x), Face(1)),
+        };
+        // A span keeps the length of a unit.
+        let least = span.enter.t.plus(S::from_bits(1));
+        span.exit = Crossing { t: t.map_or(least, |t| t.max(least)), face };
+    }
+}
