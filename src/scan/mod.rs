@@ -23,6 +23,6 @@ mod stage;
 pub(crate) use active::view_each;
 pub use active::{GroupRow, Member};
 pub(crate) use group::Active;
-pub(crate) use leaf::{OPEN, leaf};
 pub use leaf::{Kept, Leaf, LeafRow};
+pub(crate) use leaf::{OPEN, leaf};
 pub use stage::{ColumnRun, Empty, Scan};

@@ -116,12 +116,7 @@ impl<S: Scalar> ChordRow<S> {
     /// down to 2⁻¹⁸ radians.
     #[cold]
     #[inline(never)]
-    fn nearly_along(
-        &self,
-        radius: S,
-        eye_within: bool,
-        x: i32,
-    ) -> Option<[S; 2]> {
+    fn nearly_along(&self, radius: S, eye_within: bool, x: i32) -> Option<[S; 2]> {
         if S::SHORTEST > S::ZERO {
             let sixteen = S::Wide::from_int(16);
             let q = self.moment.map(|part| S::from_wide(part.at(x)));

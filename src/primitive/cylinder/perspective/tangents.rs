@@ -247,7 +247,8 @@ impl<S: FixedPoint> Tangents<S> {
             sides: self.sides.map(|side| Affine::row(side, y)),
             rise: Affine { middle, step },
             speed,
-            ends: [cylinder.caps.low, cylinder.caps.high].map(|end| S::from_wide(above(end.wide()))),
+            ends: [cylinder.caps.low, cylinder.caps.high]
+                .map(|end| S::from_wide(above(end.wide()))),
         }
     }
 
@@ -265,8 +266,8 @@ impl<S: FixedPoint> Tangents<S> {
             return Extent::EMPTY;
         }
         let shifted = |line: Affine<Wide>, shift| {
-            let [middle, step] = [line.middle, line.step]
-                .map(|x| Wide::from_bits(shift_right(x.to_bits(), shift)));
+            let [middle, step] =
+                [line.middle, line.step].map(|x| Wide::from_bits(shift_right(x.to_bits(), shift)));
             Affine { middle, step }
         };
         let middle = shifted(row.middle, AFFINE_BITS - 32 - self.halvings);
@@ -321,7 +322,6 @@ impl<S: FixedPoint> Pixels<S> {
         let [low, high] = self.ends.map(|end| product(end.to_bits(), w.cast_signed()));
         [low <= rise, rise <= high]
     }
-
 }
 
 impl<S: FixedPoint> TangentRow<S> {
