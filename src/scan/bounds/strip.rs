@@ -47,7 +47,7 @@ impl Steps {
         if length.step < S::Wide::ZERO {
             (first, last) = (last, first);
         }
-        Self { first: first.saturating_sub(MARGIN), last: last.saturating_add(MARGIN) }
+        Self::from_to(first, last)
     }
 
     /// Where `length ≤ 0` may hold; `size` as for [`between`](Self::between).
@@ -62,6 +62,11 @@ impl Steps {
     #[inline]
     pub(crate) fn within<S: Scalar>(length: Affine<S::Wide>, reach: S::Wide) -> Self {
         Self::between::<S>(length, -reach, reach, reach + length.middle.abs())
+    }
+
+    /// From one pixel to another, each by a quotient.
+    pub(crate) fn from_to(first: i32, last: i32) -> Self {
+        Self { first: first.saturating_sub(MARGIN), last: last.saturating_add(MARGIN) }
     }
 
     /// Where a length isn't negative, of which every bit counts.

@@ -46,6 +46,11 @@ impl<S: Scalar> PerspectiveView<S> {
         }
     }
 
+    /// normal·d in the middle of the picture.
+    pub(crate) fn speed(&self) -> S::Wide {
+        self.speed
+    }
+
     /// normal·p at the eye, at this distance from the image plane.
     pub(crate) fn at_eye(&self, distance: S::Wide) -> S::Wide {
         let [middle, ..] = self.height;

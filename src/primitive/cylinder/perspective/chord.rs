@@ -154,7 +154,7 @@ pub struct ChordView<S: Scalar> {
 #[derive(Debug, Clone, Copy)]
 pub struct ChordRow<S: Scalar> {
     /// Two coordinates of q, and of m.
-    moment: [Affine<S::Wide>; 2],
-    turn: [Affine<S::Wide>; 2],
-    caps: planes::PerspectiveRow<S>,
+    pub(super) moment: [Affine<S::Wide>; 2],
+    pub(super) turn: [Affine<S::Wide>; 2],
+    pub(super) caps: planes::PerspectiveRow<S>,
 }

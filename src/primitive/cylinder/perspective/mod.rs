@@ -1,9 +1,10 @@
 //! The cylinder, seen from an eye.
 //!
 //! Floating point computes each pixel's chord (`chord.rs`). Fixed point computes inverse depths between the
-//! two planes that touch the wall (`tangents.rs`), and chords from eyes that are too near for that.
+//! two planes that touch the wall (`tangents.rs`), and chords for eyes that are too near for that (`near.rs`).
 
 mod chord;
+mod near;
 mod tangents;
 
 use super::Cylinder;
@@ -51,7 +52,7 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cylinder<S> {
     #[inline(never)]
     fn close(&self, view: &Self::View, row: &Self::Row, x: i32, [span]: &mut [Span<S>; 1]) {
         if let (Some(view), Some(row)) = (view, row) {
-            S::compute(Closed { cylinder: self, view, row, x, span });
+            S::compute(Closed { view, row, x, span });
         }
     }
 }
@@ -174,7 +175,6 @@ impl<S: Scalar> Formula<S> for OnRay<'_, S> {
 
 /// Sets the end of a ray's span.
 struct Closed<'a, S: Scalar> {
-    cylinder: &'a Cylinder<S>,
     view: &'a View<S>,
     row: &'a Row<S>,
     x: i32,
@@ -195,7 +195,7 @@ impl<S: Scalar> Formula<S> for Closed<'_, S> {
         S: FixedPoint,
     {
         if let (Some(view), Some(row)) = (self.view.fixed(), self.row.fixed()) {
-            row.close(self.cylinder, view, self.x, self.span);
+            row.close(view, self.x, self.span);
         }
     }
 }

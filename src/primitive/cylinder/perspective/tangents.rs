@@ -14,12 +14,12 @@
 //! height above the eye, and h that of the image plane's point times Z/D.
 
 use super::super::Cylinder;
-use super::chord::{ChordRow, ChordView};
+use super::near::{NearRow, NearView};
 use crate::geom::{Affine, Axis, Direction, Extent, PerspectiveRays, Vec3};
 use crate::numeric::{product, unsigned_product};
 use crate::quadric::WALL;
 use crate::scalar::integer::{leading_zeros, normalized, reciprocal, shift_right, sqrt};
-use crate::scalar::{FixedPoint, Number, Scalar, Wide};
+use crate::scalar::{FixedPoint, Number, Real, Scalar, Wide};
 use crate::scan::bounds::{PerspectiveBall, Rows, Steps};
 use crate::scan::{OPEN, planes};
 use crate::span::{Crossing, Face, Span};
@@ -35,8 +35,8 @@ const LARGEST: i64 = 4 << AFFINE_BITS;
 pub enum TangentView<S: Scalar> {
     /// From outside of the wall.
     Outside(Tangents<S>),
-    /// From inside of the wall, or too near to it, or to the caps.
-    Near(PerspectiveRays<S>),
+    /// From inside of the wall, or too near.
+    Near(NearView<S>),
 }
 
 /// A row of it.
@@ -44,29 +44,29 @@ pub enum TangentView<S: Scalar> {
 pub enum TangentRow<S: Scalar> {
     /// From outside of the wall.
     Outside(Pixels<S>),
-    /// From inside or near, and whether from inside.
-    Near(ChordRow<S>, bool),
+    /// From inside or near.
+    Near(NearRow<S>),
 }
 
-/// Values in the middle of the picture, and their steps to the right and down.
+/// What a camera decides. It waits once for each cylinder, so its numbers have no more bits than they need.
 #[derive(Debug, Clone, Copy)]
 pub struct Tangents<S: Scalar> {
-    /// W, and [A, B].
-    middle: [S::Wide; 3],
-    sides: [[S::Wide; 3]; 2],
-    caps: planes::PerspectiveView<S>,
-    /// How high the eye is along the axis.
-    eye_height: S::Wide,
-    /// r/|e|.
-    slope: S::Wide,
-    /// D.
+    /// W, A and B, each in the middle of the picture, and its steps to the right and down. They are multiples
+    /// of 1/c: `inverse`.
+    lines: [[i32; 3]; 3],
+    inverse: i32,
+    /// How far the products are shifted: those of the middle, and of the steps.
+    shifts: [i16; 2],
+    /// r/|e| in units of 2⁻³⁰.
+    slope: i32,
+    /// D = Z · 2^halvings.
     distance: S::Wide,
-    /// Z as `zoom · 2^exponent` in the last unit of [`Wide`].
+    halvings: i16,
+    /// Z is `zoom` with its last bit at this place.
+    exponent: i16,
     zoom: u32,
-    exponent: i32,
-    /// D/Z is 2 to the power of this.
-    halvings: i32,
     rows: Rows,
+    caps: planes::PerspectiveView<S>,
 }
 
 /// Values in the middle of a row, and their steps.
@@ -84,7 +84,10 @@ pub struct Pixels<S: Scalar> {
 
 impl<S: FixedPoint> TangentView<S> {
     pub(super) fn new(cylinder: &Cylinder<S>, rays: &PerspectiveRays<S>) -> Self {
-        Tangents::new(cylinder, rays).map_or(Self::Near(*rays), Self::Outside)
+        match Tangents::new(cylinder, rays) {
+            Some(view) => Self::Outside(view),
+            None => Self::Near(NearView::new(cylinder, rays)),
+        }
     }
 
     #[inline]
@@ -106,11 +109,9 @@ impl<S: FixedPoint> TangentView<S> {
                 let row = view.row(cylinder, y);
                 (TangentRow::Outside(row), view.extent(&row, columns))
             }
-            Self::Near(rays) => {
-                let view = ChordView::new(cylinder, rays);
-                let row = view.row(y);
-                let extent = view.extent(&row, cylinder.wall.radius, y, columns);
-                (TangentRow::Near(row, view.eye_within), extent)
+            Self::Near(view) => {
+                let (row, extent) = view.row(cylinder, y, columns);
+                (TangentRow::Near(row), extent)
             }
         }
     }
@@ -148,6 +149,30 @@ fn across<S: Scalar>(axis: &Direction<S>) -> impl Fn(Vec3<S::Wide>) -> [S::Wide;
     }
 }
 
+/// How deep the nearest and the farthest point of a ball around a cylinder are, and the ball's rows.
+fn ball<S: FixedPoint>(
+    Cylinder { wall, caps }: &Cylinder<S>,
+    rays: &PerspectiveRays<S>,
+    view: &planes::PerspectiveView<S>,
+) -> ([Wide; 2], Rows) {
+    let PerspectiveRays { plane, distance, inverse_distance } = rays;
+    let [low, high] = [caps.low.wide(), caps.high.wide()];
+    let (base, half) = (wall.base.wide(), Wide::HALF);
+    let along = (low + high) * half - caps.normal.dot_wide(base);
+    let from_middle = base - plane.center;
+    let at = |way: Vec3<Wide>, speed| from_middle.dot_compensated(way) + along * speed;
+    let depth = at(plane.forward, view.speed()) + *distance;
+    let across = at(plane.down, caps.normal.dot_wide(plane.down));
+    let (sides, exponent) = block([wall.radius.wide(), (high - low) * half]);
+    // A unit for the root, and what rounding of lengths may add.
+    let radius = i64::from(sqrt(dot(sides, sides).unsigned_abs())) + 2;
+    let size = from_middle.max_abs() + along.abs() + *distance;
+    let radius = Wide::from_bits(shift_right(radius, -exponent)) + S::uncertainty(size);
+    let depths = depth.around(radius);
+    let slope = plane.half_pixel * *inverse_distance;
+    (depths, PerspectiveBall::<S>::rows(across, depths, radius, slope))
+}
+
 impl<S: FixedPoint> Tangents<S> {
     /// `None` from inside of the wall, or too near.
     fn new(cylinder: &Cylinder<S>, rays: &PerspectiveRays<S>) -> Option<Self> {
@@ -180,9 +205,8 @@ impl<S: FixedPoint> Tangents<S> {
         let c = square - unsigned_product(radius.cast_unsigned(), radius.cast_unsigned());
         let root = sqrt(c).cast_signed();
 
-        let (center, ball_radius) = cylinder.bounding_ball();
-        let ball = PerspectiveBall::new(center, ball_radius, rays);
-        let [nearest, farthest] = ball.depths(rays.distance);
+        let view = planes::PerspectiveView::new(&caps.normal, rays);
+        let ([nearest, farthest], rows) = ball(cylinder, rays, &view);
         let of_distance = bits(rays.distance.to_bits());
         // W is less than 2 to the power of the smaller one of two bounds: by the nearest point of the ball,
         // and by the eye's distance from the wall, because directions have coordinates below 8.
@@ -213,48 +237,49 @@ impl<S: FixedPoint> Tangents<S> {
         };
         let (part, short) = normalized(c);
         let inverse = (reciprocal(part) >> 1).cast_signed();
-        let values = |plane: [i32; 2]| {
-            [forward, right, down].map(|(step, of_step)| {
-                let shift = short + exponent + halvings - of_step + 31 - AFFINE_BITS;
-                let bits = (dot(plane, step) >> 31) as i32;
-                Wide::from_bits(shift_right(product(bits, inverse), shift))
-            })
+        let line = |plane: [i32; 2]| {
+            [&forward, &right, &down].map(|(step, _)| (dot(plane, *step) >> 31) as i32)
         };
-        let view = planes::PerspectiveView::new(&caps.normal, rays);
-        let slope = by_length(i64::from(radius) << 30);
+        let shift = short + exponent + halvings + 31 - AFFINE_BITS;
         Some(Self {
-            middle: values([-e0, -e1]),
-            sides: [values(side(root)), values(side(-root))],
-            eye_height: view.at_eye(rays.distance),
-            caps: view,
-            slope: Wide::from_bits(shift_right(slope, -2)),
+            lines: [line([-e0, -e1]), line(side(root)), line(side(-root))],
+            inverse,
+            shifts: [forward.1, right.1].map(|of_step| (shift - of_step) as i16),
+            slope: by_length(i64::from(radius) << 30) as i32,
             distance: rays.distance,
+            halvings: halvings as i16,
+            exponent: (63 - PIXEL_BITS + halvings - zoom_exponent) as i16,
             zoom: zoom.cast_unsigned(),
-            exponent: 63 - PIXEL_BITS + halvings - zoom_exponent,
-            halvings,
-            rows: ball.in_rows(),
+            rows,
+            caps: view,
         })
     }
 
     fn row(&self, cylinder: &Cylinder<S>, y: i32) -> Pixels<S> {
         let caps = planes::PerspectiveRow::new(&self.caps, y);
         let [height, speed] = caps.lines();
-        let above = |height: Wide| height - self.eye_height;
-        let rise = [above(height.middle), height.step];
-        let [middle, step] = rise.map(|x| Wide::from_bits(x.to_bits() << self.finer()));
+        // As a number of the scene: then heights above it lose nothing.
+        let eye = S::from_wide(self.caps.at_eye(self.distance));
+        let [rise, rise_step] = [height.middle - eye.wide(), height.step]
+            .map(|x| Wide::from_bits(x.to_bits() << self.finer()));
+        let [of_middle, of_step] = self.shifts.map(i32::from);
+        let [middle, a, b] = self.lines.map(|[middle, right, down]| {
+            let value =
+                |bits, shift| Wide::from_bits(shift_right(product(bits, self.inverse), shift));
+            Affine::row([value(middle, of_middle), value(right, of_step), value(down, of_step)], y)
+        });
         Pixels {
-            middle: Affine::row(self.middle, y),
-            sides: self.sides.map(|side| Affine::row(side, y)),
-            rise: Affine { middle, step },
+            middle,
+            sides: [a, b],
+            rise: Affine { middle: rise, step: rise_step },
             speed,
-            ends: [cylinder.caps.low, cylinder.caps.high]
-                .map(|end| S::from_wide(above(end.wide()))),
+            ends: [cylinder.caps.low, cylinder.caps.high].map(|end| end.minus(eye)),
         }
     }
 
     /// So many bits has [`Pixels::rise`] below the last one of [`Wide`].
     fn finer(&self) -> i32 {
-        S::BITS as i32 + PIXEL_BITS - 32 - self.halvings
+        S::BITS as i32 + PIXEL_BITS - 32 - i32::from(self.halvings)
     }
 
     /// The columns of a row: between the planes that touch the wall, and two that touch the caps. With
@@ -270,13 +295,14 @@ impl<S: FixedPoint> Tangents<S> {
                 [line.middle, line.step].map(|x| Wide::from_bits(shift_right(x.to_bits(), shift)));
             Affine { middle, step }
         };
-        let middle = shifted(row.middle, AFFINE_BITS - 32 - self.halvings);
+        let middle = shifted(row.middle, AFFINE_BITS - 32 - i32::from(self.halvings));
         let rise = shifted(row.rise, self.finer());
         let room = S::ROUNDING.wide() * Wide::from_int(16);
         let [low, high] = row.ends.map(Scalar::wide);
+        let slope = Wide::from_bits(i64::from(self.slope) << 2);
         // Where a cap is beyond the eye's own height, its far side is seen farther off.
         let lean = |end: Wide, sign: Wide| {
-            let lean = self.slope * end.abs() * sign;
+            let lean = slope * end.abs() * sign;
             middle.times(end + lean)
         };
         let edge = |over: Affine<Wide>, under: Affine<Wide>| {
@@ -300,17 +326,16 @@ impl<S: FixedPoint> Tangents<S> {
         let zeros = w.leading_zeros();
         let inverse = reciprocal(w << zeros);
         let depth = unsigned_product(self.zoom, inverse).cast_signed();
-        let depth = shift_right(depth, self.exponent - zeros.cast_signed());
+        let depth = shift_right(depth, i32::from(self.exponent) - zeros.cast_signed());
         S::from_wide(Wide::from_bits(depth) - self.distance)
     }
 
-    /// Where a ray crosses a cap.
+    /// Where a ray crosses a cap so high above the eye.
     #[inline(never)]
-    fn at_cap(&self, cap: S, row: &Pixels<S>, x: i32) -> Option<S> {
+    fn at_cap(&self, end: S, row: &Pixels<S>, x: i32) -> Option<S> {
         let speed = row.speed.at(x);
         let rise = Wide::from_bits(row.rise.at(x).to_bits() >> self.finer());
-        let height = rise + self.eye_height;
-        (speed != Wide::ZERO).then(|| S::quotient(cap.wide() - height, speed))
+        (speed != Wide::ZERO).then(|| S::quotient(end.wide() - rise, speed))
     }
 }
 
@@ -336,7 +361,7 @@ impl<S: FixedPoint> TangentRow<S> {
         span: &mut Span<S>,
     ) {
         let (Self::Outside(row), TangentView::Outside(view)) = (self, view) else {
-            return self.set_near(cylinder, x, span);
+            return self.set_near(cylinder, view, x, span);
         };
         let [a, b] = row.sides.map(|side| side.at(x).to_bits());
         let middle = row.middle.at(x).to_bits();
@@ -355,12 +380,9 @@ impl<S: FixedPoint> TangentRow<S> {
             [true, true] => Crossing { t: view.parameter(near), face: WALL },
             [above, _] => {
                 let [low, high] = row.inside(rise, far);
-                let (reaches, cap, face) = if above {
-                    (high, cylinder.caps.high, Face(1))
-                } else {
-                    (low, cylinder.caps.low, Face(0))
-                };
-                match view.at_cap(cap, row, x).filter(|_| reaches) {
+                let (reaches, end, face) =
+                    if above { (high, row.ends[1], Face(1)) } else { (low, row.ends[0], Face(0)) };
+                match view.at_cap(end, row, x).filter(|_| reaches) {
                     Some(t) => Crossing { t, face },
                     None => return,
                 }
@@ -370,20 +392,14 @@ impl<S: FixedPoint> TangentRow<S> {
     }
 
     #[inline(never)]
-    fn set_near(&self, cylinder: &Cylinder<S>, x: i32, span: &mut Span<S>) {
-        if let Self::Near(row, eye_within) = self {
-            row.set_span(cylinder, *eye_within, x, span);
+    fn set_near(&self, cylinder: &Cylinder<S>, view: &TangentView<S>, x: i32, span: &mut Span<S>) {
+        if let (Self::Near(row), TangentView::Near(view)) = (self, view) {
+            view.chords(row).set_span(cylinder, view.eye_within, x, span);
         }
     }
 
     /// Sets the end of a span that was left open.
-    pub(super) fn close(
-        &self,
-        cylinder: &Cylinder<S>,
-        view: &TangentView<S>,
-        x: i32,
-        span: &mut Span<S>,
-    ) {
+    pub(super) fn close(&self, view: &TangentView<S>, x: i32, span: &mut Span<S>) {
         let (Self::Outside(row), TangentView::Outside(view)) = (self, view) else { return };
         if span.exit.face != OPEN {
             return;
@@ -391,8 +407,8 @@ impl<S: FixedPoint> TangentRow<S> {
         let far = span.exit.t.to_bits().cast_unsigned();
         let (t, face) = match row.inside(row.rise.at(x).to_bits(), far) {
             [true, true] => (Some(view.parameter(far)), WALL),
-            [false, _] => (view.at_cap(cylinder.caps.low, row, x), Face(0)),
-            [true, false] => (view.at_cap(cylinder.caps.high, row, x), Face(1)),
+            [false, _] => (view.at_cap(row.ends[0], row, x), Face(0)),
+            [true, false] => (view.at_cap(row.ends[1], row, x), Face(1)),
         };
         // A span keeps the length of a unit.
         let least = span.enter.t.plus(S::from_bits(1));
