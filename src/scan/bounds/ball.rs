@@ -59,6 +59,11 @@ impl<S: Scalar> PerspectiveBall<S> {
         Rows::of(Steps::from_to(low, high))
     }
 
+    /// The rows that can meet the ball.
+    pub(crate) fn in_rows(&self) -> Rows {
+        self.rows
+    }
+
     /// d in a row.
     pub(crate) fn direction(&self, y: i32) -> [Affine<S::Wide>; 3] {
         let x = Affine { middle: S::Wide::ZERO, step: self.slope };

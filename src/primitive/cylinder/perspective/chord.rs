@@ -9,9 +9,9 @@
 //! its point and direction, also where it is nearly parallel to the axis and m is small.
 
 use super::super::{Cylinder, frame, set_common, wall_span};
-use crate::geom::{Affine, Extent, PerspectiveRays, Vec3};
-use crate::scalar::{Number, Real, Roots, Scalar};
-use crate::scan::bounds::{PerspectiveBall, Silhouette, constant, extent};
+use crate::geom::{Affine, Extent, PerspectiveRays, Vec3, signed};
+use crate::scalar::{Grid, Number, Real, Roots, Scalar};
+use crate::scan::bounds::{PerspectiveBall, Rows, Silhouette, Steps, constant, extent};
 use crate::scan::planes;
 use crate::span::{Face, Span};
 
@@ -30,23 +30,44 @@ impl<S: Scalar> ChordView<S> {
             let k = step.dot_compensated(m) + inverse_distance * u.dot_compensated(moment);
             (flat(moment), k)
         });
-        let at_eye = u.cross(axis) - m * rays.distance;
-        let radius = wall.radius.wide();
         let (center, ball_radius) = cylinder.bounding_ball();
-        Self {
+        let ball = PerspectiveBall::new(center, ball_radius, rays);
+        let view = Self {
             moment: [flat(u.cross(axis)), right.0, down.0],
             turn: flat(m),
-            reach: [u.dot_compensated(m), right.1, down.1],
-            blur: ((radius + S::ROUNDING.wide()) * S::ROUNDING.wide()).sqrt(),
-            eye_within: at_eye.length_squared() < radius * radius,
             caps: planes::PerspectiveView::new(&caps.normal, rays),
-            ball: PerspectiveBall::new(center, ball_radius, rays),
-        }
+            edges: Edges::Nowhere,
+        };
+        let reach = [u.dot_compensated(m), right.1, down.1];
+        let edges = match Lines::new(cylinder, rays, &view, reach, ball.in_rows()) {
+            Some(lines) if is_float::<S>() => Edges::Lines(lines),
+            _ => {
+                let at_eye = u.cross(axis) - m * rays.distance;
+                let radius = wall.radius.wide();
+                Edges::Curves {
+                    reach,
+                    blur: ((radius + S::ROUNDING.wide()) * S::ROUNDING.wide()).sqrt(),
+                    eye_within: at_eye.length_squared() < radius * radius,
+                    ball,
+                }
+            }
+        };
+        Self { edges, ..view }
     }
 
     #[inline]
     pub(super) fn is_in_rows(&self, rows: [i32; 2]) -> bool {
-        self.ball.is_in_rows(rows)
+        match &self.edges {
+            Edges::Lines(lines) => lines.rows.meet(rows),
+            Edges::Curves { ball, .. } => ball.is_in_rows(rows),
+            Edges::Nowhere => false,
+        }
+    }
+
+    /// Whether the eye lies inside the infinite cylinder, and with it any ray along the axis.
+    #[inline]
+    pub(super) fn eye_within(&self) -> bool {
+        matches!(self.edges, Edges::Curves { eye_within: true, .. })
     }
 
     pub(super) fn row(&self, y: i32) -> ChordRow<S> {
@@ -63,12 +84,19 @@ impl<S: Scalar> ChordView<S> {
 
     /// The columns of a row.
     pub(super) fn extent(&self, row: &ChordRow<S>, radius: S, y: i32, columns: u32) -> Extent {
-        let [m0, m1] = row.turn;
-        let reach = Affine::row(self.reach, y);
-        // r|m| ≥ |k| with k off by `ROUNDING`, however small m is: (r + b)²m² + (r + b)b ≥ (r|m| + b)².
-        let radius = radius.plus(S::ROUNDING).wide();
-        let wide = [m0.times(radius), m1.times(radius), constant(self.blur)];
-        extent(&wide, &[reach], columns).overlap(self.ball.extent(y, columns))
+        match &self.edges {
+            Edges::Lines(lines) => lines.extent(row, y, columns),
+            Edges::Curves { reach, blur, ball, .. } => {
+                let [m0, m1] = row.turn;
+                let reach = Affine::row(*reach, y);
+                // r|m| ≥ |k| with k off by `ROUNDING`, however small m is:
+                // (r + b)²m² + (r + b)b ≥ (r|m| + b)².
+                let radius = radius.plus(S::ROUNDING).wide();
+                let wide = [m0.times(radius), m1.times(radius), constant(*blur)];
+                extent(&wide, &[reach], columns).overlap(ball.extent(y, columns))
+            }
+            Edges::Nowhere => Extent::EMPTY,
+        }
     }
 }
 
@@ -140,14 +168,108 @@ pub struct ChordView<S: Scalar> {
     moment: [[S::Wide; 2]; 3],
     /// m in the middle; its steps are those of q times the convergence.
     turn: [S::Wide; 2],
-    /// k.
-    reach: [S::Wide; 3],
-    /// √((r + b)b), where b is [`Scalar::ROUNDING`].
-    blur: S::Wide,
-    /// Whether the eye lies inside the infinite cylinder, and with it any ray along the axis.
-    pub(super) eye_within: bool,
     caps: planes::PerspectiveView<S>,
-    ball: PerspectiveBall<S>,
+    edges: Edges<S>,
+}
+
+/// Where the cylinder is seen.
+#[derive(Debug, Clone, Copy)]
+enum Edges<S: Scalar> {
+    /// Not set yet.
+    Nowhere,
+    /// From outside of the wall: between lines.
+    Lines(Lines<S>),
+    /// From inside or near: where quadratics aren't negative.
+    Curves {
+        /// k.
+        reach: [S::Wide; 3],
+        /// √((r + b)b), where b is [`Scalar::ROUNDING`].
+        blur: S::Wide,
+        eye_within: bool,
+        ball: PerspectiveBall<S>,
+    },
+}
+
+/// The traces of planes through the eye that touch the wall or the caps, as in `tangents.rs`.
+#[derive(Debug, Clone, Copy)]
+struct Lines<S: Scalar> {
+    /// A and B.
+    sides: [[S::Wide; 3]; 2],
+    /// W is the scalar product of m and this.
+    toward: [S::Wide; 2],
+    /// How high the edges of the caps are above the eye, over D.
+    ends: [S::Wide; 2],
+    rows: Rows,
+}
+
+impl<S: Scalar> Lines<S> {
+    /// `None` from inside of the wall or near to it, or where a number leaves its type's range.
+    fn new(
+        Cylinder { wall, caps }: &Cylinder<S>,
+        rays: &PerspectiveRays<S>,
+        view: &ChordView<S>,
+        reach: [S::Wide; 3],
+        rows: Rows,
+    ) -> Option<Self> {
+        let PerspectiveRays { distance, inverse_distance, .. } = *rays;
+        let radius = wall.radius.wide();
+        let ([q0, q1], [m0, m1]) = (view.moment[0], view.turn);
+        let eye = [q0 - m0 * distance, q1 - m1 * distance];
+        let length = (eye[0] * eye[0] + eye[1] * eye[1]).sqrt();
+        let gap = length - radius;
+        if gap * S::Wide::from_int(64) <= length {
+            return None;
+        }
+        let c = gap * (length + radius);
+        let factor = distance / c;
+        let toward = eye.map(|x| -(x * factor));
+        let [slope, across] = [radius / length, c.sqrt() / length * factor];
+        let flat = |m: [S::Wide; 2]| m[0] * toward[0] + m[1] * toward[1];
+        // The steps of m are those of q over D.
+        let [_, right, down] = view.moment.map(|q| flat(q) * inverse_distance);
+        let sides = [across, -across].map(|across| {
+            let [k, k_right, k_down] = reach.map(|k| k * across);
+            let [w, w_right, w_down] = [flat(view.turn), right, down].map(|w| w * slope);
+            [w + k, w_right + k_right, w_down + k_down]
+        });
+        let at_eye = view.caps.at_eye(distance);
+        let ends = [(caps.low, -slope), (caps.high, slope)].map(|(cap, lean)| {
+            let end = (cap.wide() - at_eye) * inverse_distance;
+            end + lean * end.abs()
+        });
+        let all = sides.as_flattened().iter().chain(&ends).chain(&toward);
+        let has_size = toward.iter().any(|x| x.is_divisor());
+        let fits = has_size && all.clone().all(|x| x.is_finite());
+        fits.then_some(Self { sides, toward, ends, rows })
+    }
+
+    /// The columns of a row.
+    fn extent(&self, row: &ChordRow<S>, y: i32, columns: u32) -> Extent {
+        let reach = S::Wide::from_int(signed(columns));
+        let size = |line: &Affine<S::Wide>| line.middle.abs() + line.step.abs() * reach;
+        let [m0, m1] = row.turn;
+        let w = m0.times(self.toward[0]).plus(&m1.times(self.toward[1]));
+        let [_, speed] = row.caps.lines();
+        let unit = S::Wide::EPSILON * S::Wide::from_int(64);
+        let around = (size(&m0) * self.toward[0].abs() + size(&m1) * self.toward[1].abs()) * unit;
+        let from = |line: Affine<S::Wide>, room| Steps::not_below(line.above(room));
+        let [a, b] = self.sides.map(|side| from(Affine::row(side, y), around));
+        let steps = a.overlap(b);
+        if steps.are_beside(columns) {
+            return Extent::EMPTY;
+        }
+        let [low, high] = self.ends.map(|end| w.times(end));
+        let [room_low, room_high] = self.ends.map(|end| around * end.abs() + size(&speed) * unit);
+        steps
+            .overlap(from(speed.minus(&low), room_low))
+            .overlap(from(high.minus(&speed), room_high))
+            .columns(columns)
+    }
+}
+
+/// Whether the number type is a floating-point one.
+const fn is_float<S: Scalar>() -> bool {
+    !matches!(S::GRID, Grid::Fixed(_))
 }
 
 /// A row of a cylinder, seen from an eye.

@@ -158,7 +158,7 @@ impl<S: Scalar> Formula<S> for OnRay<'_, S> {
         S: Float,
     {
         if let (Some(view), Some(row)) = (self.view.float(), self.row.float()) {
-            row.set_span(self.cylinder, view.eye_within, self.x, self.span);
+            row.set_span(self.cylinder, view.eye_within(), self.x, self.span);
         }
     }
 

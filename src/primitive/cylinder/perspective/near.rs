@@ -15,7 +15,6 @@ pub struct NearView<S: Scalar> {
     half_pixel: S::Wide,
     distance: S::Wide,
     inverse_distance: S::Wide,
-    pub(super) eye_within: bool,
 }
 
 /// A [`ChordRow`] without the steps of m, which are those of q times the inverse distance.
@@ -27,15 +26,17 @@ pub struct NearRow<S: Scalar> {
 }
 
 impl<S: FixedPoint> NearView<S> {
-    pub(super) fn new(cylinder: &Cylinder<S>, rays: &PerspectiveRays<S>) -> Self {
+    /// And whether the eye is inside of the wall.
+    pub(super) fn new(cylinder: &Cylinder<S>, rays: &PerspectiveRays<S>) -> (Self, bool) {
         let PerspectiveRays { plane, distance, inverse_distance } = *rays;
         let OrthographicRays { center, right, forward, half_pixel, .. } = plane;
-        let eye_within = ChordView::new(cylinder, rays).eye_within;
-        Self { center, right, forward, half_pixel, distance, inverse_distance, eye_within }
+        let eye_within = ChordView::new(cylinder, rays).eye_within();
+        let view = Self { center, right, forward, half_pixel, distance, inverse_distance };
+        (view, eye_within)
     }
 
     pub(super) fn row(&self, cylinder: &Cylinder<S>, y: i32, columns: u32) -> (NearRow<S>, Extent) {
-        let Self { center, right, forward, half_pixel, distance, inverse_distance, .. } = *self;
+        let Self { center, right, forward, half_pixel, distance, inverse_distance } = *self;
         let down = forward.cross(right);
         let plane = OrthographicRays { center, right, down, forward, half_pixel, columns };
         let view = ChordView::new(cylinder, &PerspectiveRays { plane, distance, inverse_distance });

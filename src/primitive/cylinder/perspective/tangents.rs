@@ -33,10 +33,10 @@ const LARGEST: i64 = 4 << AFFINE_BITS;
 /// A cylinder, seen from an eye.
 #[derive(Debug, Clone, Copy)]
 pub enum TangentView<S: Scalar> {
-    /// From outside of the wall.
-    Outside(Tangents<S>),
-    /// From inside of the wall, or too near.
-    Near(NearView<S>),
+    /// From outside of the wall, in these rows.
+    Outside(Tangents<S>, Rows),
+    /// From inside of the wall, or too near; and whether from inside.
+    Near(NearView<S>, bool),
 }
 
 /// A row of it.
@@ -51,21 +51,16 @@ pub enum TangentRow<S: Scalar> {
 /// What a camera decides. It waits once for each cylinder, so its numbers have no more bits than they need.
 #[derive(Debug, Clone, Copy)]
 pub struct Tangents<S: Scalar> {
-    /// W, A and B, each in the middle of the picture, and its steps to the right and down. They are multiples
-    /// of 1/c: `inverse`.
+    /// W, A and B, each in the middle of the picture, and its steps to the right and down.
     lines: [[i32; 3]; 3],
-    inverse: i32,
-    /// How far the products are shifted: those of the middle, and of the steps.
+    /// How far they are shifted: in the middle, and the steps.
     shifts: [i16; 2],
-    /// r/|e| in units of 2⁻³⁰.
-    slope: i32,
     /// D = Z · 2^halvings.
     distance: S::Wide,
     halvings: i16,
     /// Z is `zoom` with its last bit at this place.
     exponent: i16,
     zoom: u32,
-    rows: Rows,
     caps: planes::PerspectiveView<S>,
 }
 
@@ -85,16 +80,19 @@ pub struct Pixels<S: Scalar> {
 impl<S: FixedPoint> TangentView<S> {
     pub(super) fn new(cylinder: &Cylinder<S>, rays: &PerspectiveRays<S>) -> Self {
         match Tangents::new(cylinder, rays) {
-            Some(view) => Self::Outside(view),
-            None => Self::Near(NearView::new(cylinder, rays)),
+            Some((view, rows)) => Self::Outside(view, rows),
+            None => {
+                let (view, eye_within) = NearView::new(cylinder, rays);
+                Self::Near(view, eye_within)
+            }
         }
     }
 
     #[inline]
     pub(super) fn is_in_rows(&self, rows: [i32; 2]) -> bool {
         match self {
-            Self::Outside(view) => view.rows.meet(rows),
-            Self::Near(_) => true,
+            Self::Outside(_, seen) => seen.meet(rows),
+            Self::Near(..) => true,
         }
     }
 
@@ -105,11 +103,11 @@ impl<S: FixedPoint> TangentView<S> {
         columns: u32,
     ) -> (TangentRow<S>, Extent) {
         match self {
-            Self::Outside(view) => {
+            Self::Outside(view, _) => {
                 let row = view.row(cylinder, y);
                 (TangentRow::Outside(row), view.extent(&row, columns))
             }
-            Self::Near(view) => {
+            Self::Near(view, _) => {
                 let (row, extent) = view.row(cylinder, y, columns);
                 (TangentRow::Near(row), extent)
             }
@@ -175,7 +173,7 @@ fn ball<S: FixedPoint>(
 
 impl<S: FixedPoint> Tangents<S> {
     /// `None` from inside of the wall, or too near.
-    fn new(cylinder: &Cylinder<S>, rays: &PerspectiveRays<S>) -> Option<Self> {
+    fn new(cylinder: &Cylinder<S>, rays: &PerspectiveRays<S>) -> Option<(Self, Rows)> {
         let Cylinder { wall, caps } = cylinder;
         let plane = &rays.plane;
         let across = across(&caps.normal);
@@ -238,21 +236,20 @@ impl<S: FixedPoint> Tangents<S> {
         let (part, short) = normalized(c);
         let inverse = (reciprocal(part) >> 1).cast_signed();
         let line = |plane: [i32; 2]| {
-            [&forward, &right, &down].map(|(step, _)| (dot(plane, *step) >> 31) as i32)
+            [&forward, &right, &down]
+                .map(|(step, _)| (product((dot(plane, *step) >> 30) as i32, inverse) >> 31) as i32)
         };
-        let shift = short + exponent + halvings + 31 - AFFINE_BITS;
-        Some(Self {
+        let shift = short + exponent + halvings + 1 - AFFINE_BITS;
+        let view = Self {
             lines: [line([-e0, -e1]), line(side(root)), line(side(-root))],
-            inverse,
             shifts: [forward.1, right.1].map(|of_step| (shift - of_step) as i16),
-            slope: by_length(i64::from(radius) << 30) as i32,
             distance: rays.distance,
             halvings: halvings as i16,
             exponent: (63 - PIXEL_BITS + halvings - zoom_exponent) as i16,
             zoom: zoom.cast_unsigned(),
-            rows,
             caps: view,
-        })
+        };
+        Some((view, rows))
     }
 
     fn row(&self, cylinder: &Cylinder<S>, y: i32) -> Pixels<S> {
@@ -264,8 +261,7 @@ impl<S: FixedPoint> Tangents<S> {
             .map(|x| Wide::from_bits(x.to_bits() << self.finer()));
         let [of_middle, of_step] = self.shifts.map(i32::from);
         let [middle, a, b] = self.lines.map(|[middle, right, down]| {
-            let value =
-                |bits, shift| Wide::from_bits(shift_right(product(bits, self.inverse), shift));
+            let value = |bits: i32, shift| Wide::from_bits(shift_right(bits.into(), shift));
             Affine::row([value(middle, of_middle), value(right, of_step), value(down, of_step)], y)
         });
         Pixels {
@@ -283,7 +279,7 @@ impl<S: FixedPoint> Tangents<S> {
     }
 
     /// The columns of a row: between the planes that touch the wall, and two that touch the caps. With
-    /// |w − W| ≤ W·r/|e| on the wall, a cap's edge is between `H·W·(1 ± r/|e|)`.
+    /// |w − W| ≤ (A + B)/2 on the wall, a cap's edge is between `H·(W ± (A + B)/2)`.
     fn extent(&self, row: &Pixels<S>, columns: u32) -> Extent {
         let [a, b] = row.sides.map(Steps::not_below);
         let steps = a.overlap(b);
@@ -295,26 +291,26 @@ impl<S: FixedPoint> Tangents<S> {
                 [line.middle, line.step].map(|x| Wide::from_bits(shift_right(x.to_bits(), shift)));
             Affine { middle, step }
         };
-        let middle = shifted(row.middle, AFFINE_BITS - 32 - i32::from(self.halvings));
+        let shift = AFFINE_BITS - 32 - i32::from(self.halvings);
+        let middle = shifted(row.middle, shift);
+        // By how much w differs from W at most: (A + B)/2.
+        let [a, b] = row.sides;
+        let half = shifted(a.plus(&b), shift + 1);
         let rise = shifted(row.rise, self.finer());
         let room = S::ROUNDING.wide() * Wide::from_int(16);
-        let [low, high] = row.ends.map(Scalar::wide);
-        let slope = Wide::from_bits(i64::from(self.slope) << 2);
-        // Where a cap is beyond the eye's own height, its far side is seen farther off.
-        let lean = |end: Wide, sign: Wide| {
-            let lean = slope * end.abs() * sign;
-            middle.times(end + lean)
+        let ends = row.ends.map(Scalar::wide);
+        let lean = |end: Wide, outwards: bool| {
+            let is_added = (end > Wide::ZERO) == outwards;
+            let edge = if is_added { middle.plus(&half) } else { middle.minus(&half) };
+            edge.times(end)
         };
-        let edge = |over: Affine<Wide>, under: Affine<Wide>| {
+        let edge = |over: Affine<Wide>, under| {
             let room = room + Wide::from_bits(over.middle.abs().to_bits() >> 24);
-            Steps::not_below(Affine {
-                middle: over.middle - under.middle + room,
-                step: over.step - under.step,
-            })
+            Steps::not_below(over.minus(&under).above(room))
         };
         let steps = steps
-            .overlap(edge(rise, lean(low, -Wide::ONE)))
-            .overlap(edge(lean(high, Wide::ONE), rise));
+            .overlap(edge(rise, lean(ends[0], false)))
+            .overlap(edge(lean(ends[1], true), rise));
         let room = Wide::from_bits(LARGEST) - row.middle.middle;
         let near = Affine { middle: room, step: -row.middle.step };
         steps.overlap(Steps::not_below(near)).columns(columns)
@@ -360,7 +356,7 @@ impl<S: FixedPoint> TangentRow<S> {
         x: i32,
         span: &mut Span<S>,
     ) {
-        let (Self::Outside(row), TangentView::Outside(view)) = (self, view) else {
+        let (Self::Outside(row), TangentView::Outside(view, _)) = (self, view) else {
             return self.set_near(cylinder, view, x, span);
         };
         let [a, b] = row.sides.map(|side| side.at(x).to_bits());
@@ -393,14 +389,14 @@ impl<S: FixedPoint> TangentRow<S> {
 
     #[inline(never)]
     fn set_near(&self, cylinder: &Cylinder<S>, view: &TangentView<S>, x: i32, span: &mut Span<S>) {
-        if let (Self::Near(row), TangentView::Near(view)) = (self, view) {
-            view.chords(row).set_span(cylinder, view.eye_within, x, span);
+        if let (Self::Near(row), TangentView::Near(view, eye_within)) = (self, view) {
+            view.chords(row).set_span(cylinder, *eye_within, x, span);
         }
     }
 
     /// Sets the end of a span that was left open.
     pub(super) fn close(&self, view: &TangentView<S>, x: i32, span: &mut Span<S>) {
-        let (Self::Outside(row), TangentView::Outside(view)) = (self, view) else { return };
+        let (Self::Outside(row), TangentView::Outside(view, _)) = (self, view) else { return };
         if span.exit.face != OPEN {
             return;
         }
