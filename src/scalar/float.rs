@@ -133,7 +133,7 @@ impl<S: Native> Scalar for S {
     type Unit = Self;
     type Wide = Self;
     type Scale = Self;
-    type Kept<A: Copy + Debug, B: Copy + Debug> = OfFloat<A, B>;
+    type OfKind<A: Copy + Debug, B: Copy + Debug> = OfFloat<A, B>;
 
     const LOWEST: Self = S::CONSTANTS.minus_infinity;
     const HIGHEST: Self = S::CONSTANTS.infinity;

@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 
 /// What a computation keeps, where its bodies for floating and for fixed point keep different things.
 ///
-/// [`Scalar::Kept`](super::Scalar::Kept) has the type for a number type. Each body knows which one it is.
+/// [`Scalar::OfKind`](super::Scalar::OfKind) has the type for a number type. Each body knows which one it is.
 pub trait ByKind<A, B>: Copy + Debug {
     /// For floating point.
     fn of_float(_: A) -> Option<Self> {

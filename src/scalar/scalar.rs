@@ -23,7 +23,7 @@ pub trait Scalar: Number {
     type Scale: Copy + Debug + PartialEq;
     /// `A` in floating point, `B` in fixed point.
     #[doc(hidden)]
-    type Kept<A: Copy + Debug, B: Copy + Debug>: ByKind<A, B>;
+    type OfKind<A: Copy + Debug, B: Copy + Debug>: ByKind<A, B>;
 
     /// Below every parameter of a crossing: −∞ where the type has it.
     const LOWEST: Self;

@@ -155,7 +155,7 @@ impl<F: Fraction> Scalar for FixedI32<F> {
     type Unit = Unit;
     type Wide = Wide;
     type Scale = Scale;
-    type Kept<A: Copy + Debug, B: Copy + Debug> = OfFixed<A, B>;
+    type OfKind<A: Copy + Debug, B: Copy + Debug> = OfFixed<A, B>;
 
     const LOWEST: Self = Self::MIN;
     const HIGHEST: Self = Self::MAX;

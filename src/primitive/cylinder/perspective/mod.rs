@@ -15,8 +15,8 @@ use crate::span::Span;
 use chord::{ChordRow, ChordView};
 use tangents::{TangentRow, TangentView};
 
-type View<S> = <S as Scalar>::Kept<ChordView<S>, TangentView<S>>;
-type Row<S> = <S as Scalar>::Kept<ChordRow<S>, TangentRow<S>>;
+type View<S> = <S as Scalar>::OfKind<ChordView<S>, TangentView<S>>;
+type Row<S> = <S as Scalar>::OfKind<ChordRow<S>, TangentRow<S>>;
 
 impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cylinder<S> {
     type View = Option<View<S>>;
