@@ -59,6 +59,11 @@ impl<S: Scalar> PerspectiveBall<S> {
         Rows::of(Steps::from_to(low, high))
     }
 
+    /// Whether all of the ball, and of one that is half as large again, is before an eye at this distance.
+    pub(crate) fn is_before_eye(&self, distance: S::Wide) -> bool {
+        self.center.z + distance > self.radius + self.radius * S::Wide::HALF
+    }
+
     /// The rows that can meet the ball.
     pub(crate) fn in_rows(&self) -> Rows {
         self.rows

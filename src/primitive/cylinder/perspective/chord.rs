@@ -39,9 +39,14 @@ impl<S: Scalar> ChordView<S> {
             edges: Edges::Nowhere,
         };
         let reach = [u.dot_compensated(m), right.1, down.1];
-        let edges = match Lines::new(cylinder, rays, &view, reach, ball.in_rows()) {
-            Some(lines) if is_float::<S>() => Edges::Lines(lines),
-            _ => {
+        let lines = if is_float::<S>() && ball.is_before_eye(rays.distance) {
+            Lines::new(cylinder, rays, &view, reach, ball.in_rows())
+        } else {
+            None
+        };
+        let edges = match lines {
+            Some(lines) => Edges::Lines(lines),
+            None => {
                 let at_eye = u.cross(axis) - m * rays.distance;
                 let radius = wall.radius.wide();
                 Edges::Curves {
@@ -177,7 +182,7 @@ pub struct ChordView<S: Scalar> {
 enum Edges<S: Scalar> {
     /// Not set yet.
     Nowhere,
-    /// From outside of the wall: between lines.
+    /// From outside of the wall, with all of the cylinder before the eye: between lines.
     Lines(Lines<S>),
     /// From inside or near: where quadratics aren't negative.
     Curves {
