@@ -74,8 +74,8 @@ pub trait Leaf<R>: Shape {
     /// Sets the spans of the ray `x` half pixels to the right of the middle.
     fn spans(&self, view: &Self::View, row: &Self::Row, x: i32, spans: &mut Self::Spans);
 
-    /// Whether [`spans`](Self::spans) may leave open where the span ends: with the face [`OPEN`] there, and
-    /// any parameter. Few pixels see the far side of a solid.
+    /// Whether [`spans`](Self::spans) may leave open where the first span ends: with the face `Face(u16::MAX)`
+    /// there, and any parameter. Few pixels see the far side of a solid.
     const CLOSES_LATER: bool = false;
 
     /// Closes what was left open.
