@@ -1,6 +1,6 @@
 //! Integer arithmetic that fixed point is made of: rounded shifts, roots, quotients.
 
-use super::select::{CORE, Core, shifted, unsigned_product};
+use super::select::{CORE, Core, long_product, shifted, unsigned_product};
 
 /// `value / 2^shift`, rounded to nearest, halves upwards; `shift` may be negative. What leaves
 /// the range of `i64` stays at its end.
@@ -129,22 +129,29 @@ pub(crate) const fn long_quotient(numerator: u128, divisor: u64) -> u64 {
 
 /// The nearest whole number to the square root of `square · 2³²`.
 ///
-/// Digit by digit: as fast on a small core as a general root of 128 bits, and a tenth as long.
+/// A root of 32 bits, and 16 more by a step of Newton's.
 #[inline(never)]
-pub(crate) const fn long_root(mut square: u64) -> u64 {
-    let (mut rest, mut root, mut digits) = (0u64, 0u64, 0);
-    while digits < 48 {
-        rest = rest << 2 | square >> 62;
-        square <<= 2;
-        let trial = root << 2 | 1;
-        root <<= 1;
-        if rest >= trial {
-            rest -= trial;
-            root |= 1;
-        }
-        digits += 1;
+pub(crate) const fn long_root(square: u64) -> u64 {
+    if square == 0 {
+        return 0;
     }
-    root + (rest > root) as u64
+    let zeros = leading_zeros(square) & !1;
+    let normal = square << zeros;
+    let short = sqrt(normal);
+    let rest = normal.wrapping_sub(unsigned_product(short, short)).cast_signed();
+    // rest · 2¹⁵ / short
+    let step = ((rest >> 2) * (reciprocal(short) >> 1) as i64) >> 45;
+    let mut root = (((short as i64) << 16) + step) >> (zeros / 2);
+    let mut rest = ((square as i128) << 32) - long_product(root, root);
+    while rest > root as i128 {
+        rest -= 2 * root as i128 + 1;
+        root += 1;
+    }
+    while rest <= -(root as i128) {
+        rest += 2 * root as i128 - 1;
+        root -= 1;
+    }
+    root.cast_unsigned()
 }
 
 /// The nearest whole number to the square root.

@@ -7,7 +7,9 @@
 //! With e the eye as seen from the axis, across it, c = |e|² − r², and d a ray's direction across the axis, the
 //! wall is crossed at `w = W ± √(A·B)`, where W, A and B are Z/c times scalar products of d:
 //!
-//!     W = −e·d    A = (−r e + √c e⊥)·d/|e|    B = (−r e − √c e⊥)·d/|e|
+//! ```text
+//! W = −e·d    A = (−r e + √c e⊥)·d/|e|    B = (−r e − √c e⊥)·d/|e|
+//! ```
 //!
 //! All three are affine in the pixel. A and B are the distances from the two planes through the eye that
 //! touch the wall, so both are positive where a ray meets it. A cap is crossed where `H·w = h`, with H its
