@@ -26,6 +26,10 @@ pub(super) const fn signed_product(a: i32, b: i32) -> i64 {
 /// `a · b`: halves that are zero cost nothing, as those before the point of numbers below 1.
 #[inline]
 pub(super) const fn long_product(a: i64, b: i64) -> i128 {
+    // As of vectors along coordinate axes.
+    if a == 0 || b == 0 {
+        return 0;
+    }
     let (x, y) = (a.unsigned_abs(), b.unsigned_abs());
     let (x_high, x_low, y_high, y_low) = ((x >> 32) as u32, x as u32, (y >> 32) as u32, y as u32);
     let low = unsigned_product(x_low, y_low);
