@@ -4,6 +4,7 @@
 //! two planes that touch the wall (`tangents.rs`), and chords for eyes that are too near for that (`near.rs`).
 
 mod chord;
+mod measure;
 mod near;
 mod tangents;
 
