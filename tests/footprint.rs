@@ -42,7 +42,7 @@ fn a_render_of_tee_needs_little_memory() {
     let fixed = size(&I16F16::perspective().unwrap());
     println!("in perspective: {single} bytes in f32, {fixed} in I16F16");
     assert!(single <= 2048, "{single}");
-    assert!(fixed <= 3584, "{fixed}");
+    assert!(fixed <= 2560, "{fixed}");
     assert_eq!(packet_capacity(160, PixelFormat::Gray8), 256);
     assert_eq!(row_capacity(160, PixelFormat::Gray8), 172);
     let sender = size_of::<Sender<Predictive<Gray8, 160>, 256>>();

@@ -5,6 +5,7 @@ use crate::scene::housing::{Housing, HousingScene};
 use crate::scene::plate::{Plate, PlateScene};
 use crate::scene::{Scene, Tee};
 use core::hint::black_box;
+use core::iter::StepBy;
 use core::ops::Range;
 use scancsg::geom::{RayRow, Rays};
 use scancsg::render::{Camera, Gray8, Lambert, Picture, Size};
@@ -12,7 +13,8 @@ use scancsg::scalar::{Number as _, Scalar as _};
 use scancsg::solid::{Cuboid, Cylinder, Seen, Shape, Solid, first_seen};
 use scancsg::span::{Face, SpanList};
 
-/// A picture: its view alone, its view and the row that the argument says, and all of it.
+/// A picture: its view alone, its view and the row that the argument says, and all of it, or one row of so
+/// many as the argument says.
 pub struct Frame {
     pub name: &'static str,
     pub view: extern "C" fn(u32),
@@ -50,7 +52,7 @@ macro_rules! frames {
         $(
             $(#[$condition])?
             #[inline(never)]
-            fn $rows(rows: Range<u16>) {
+            fn $rows(rows: StepBy<Range<u16>>) {
                 static PART: $Part = $part;
                 let (Ok(camera), Some(light)) = (Number::$camera(), light()) else { return };
                 let Ok(size) = Size::new(WIDTH, HEIGHT) else { return };
@@ -67,20 +69,20 @@ macro_rules! frames {
             $(#[$condition])?
             #[inline(never)]
             extern "C" fn $view(_: u32) {
-                $rows(0..0);
+                $rows((0..0).step_by(1));
             }
 
             $(#[$condition])?
             #[inline(never)]
             extern "C" fn $row(y: u32) {
                 let y = y as u16;
-                $rows(y..y + 1);
+                $rows((y..y + 1).step_by(1));
             }
 
             $(#[$condition])?
             #[inline(never)]
-            extern "C" fn $frame(_: u32) {
-                $rows(0..HEIGHT);
+            extern "C" fn $frame(every: u32) {
+                $rows((0..HEIGHT).step_by(every.max(1) as usize));
             }
 
             $(#[$condition])?

@@ -21,6 +21,15 @@ mod scene;
 #[board::entry]
 fn main() -> ! {
     use board::{Counter, say, say_number};
+    if let Some(every) = option_env!("SCANCSG_EVERY").and_then(|every| every.parse().ok()) {
+        // For `cargo xtask profile --every`.
+        for frame in frames::FRAMES {
+            (frame.frame)(every);
+        }
+        loop {
+            board::finish(true);
+        }
+    }
     let counter = Counter::start();
     let report = |name: [&str; 2], count: u32| {
         name.into_iter().for_each(say);

@@ -50,6 +50,20 @@ impl<T: Real> Affine<T> {
         Self { middle: middle + self.middle, ..*self }
     }
 
+    /// The sum of two numbers.
+    #[inline]
+    #[must_use]
+    pub(crate) fn plus(&self, other: &Self) -> Self {
+        Self { middle: self.middle + other.middle, step: self.step + other.step }
+    }
+
+    /// The difference of two numbers.
+    #[inline]
+    #[must_use]
+    pub(crate) fn minus(&self, other: &Self) -> Self {
+        Self { middle: self.middle - other.middle, step: self.step - other.step }
+    }
+
     /// The same multiple of a number everywhere.
     #[inline]
     #[must_use]

@@ -76,6 +76,16 @@ impl<T: Number> Vec3<T> {
 }
 
 impl<T: Real> Vec3<T> {
+    /// The vector after so many steps.
+    #[inline]
+    pub(crate) fn after_steps(self, step: Self, count: i32) -> Self {
+        Self::new(
+            self.x.after_steps(step.x, count),
+            self.y.after_steps(step.y, count),
+            self.z.after_steps(step.z, count),
+        )
+    }
+
     /// The scalar product in twice the working precision: accurate also where terms cancel.
     #[must_use]
     #[inline]

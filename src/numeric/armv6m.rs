@@ -23,6 +23,35 @@ pub(super) const fn signed_product(a: i32, b: i32) -> i64 {
     product.wrapping_sub((too_much.cast_unsigned() as u64) << 32).cast_signed()
 }
 
+/// `a · b`: halves that are zero cost nothing, as those before the point of numbers below 1.
+#[inline]
+pub(super) const fn long_product(a: i64, b: i64) -> i128 {
+    // As of vectors along coordinate axes.
+    if a == 0 || b == 0 {
+        return 0;
+    }
+    let (x, y) = (a.unsigned_abs(), b.unsigned_abs());
+    let (x_high, x_low, y_high, y_low) = ((x >> 32) as u32, x as u32, (y >> 32) as u32, y as u32);
+    let low = unsigned_product(x_low, y_low);
+    let (mut high, mut middle) = (0, low >> 32);
+    if x_high != 0 {
+        let of_high = unsigned_product(x_high, y_low);
+        middle += of_high & 0xffff_ffff;
+        high += of_high >> 32;
+    }
+    if y_high != 0 {
+        let of_high = unsigned_product(x_low, y_high);
+        middle += of_high & 0xffff_ffff;
+        high += of_high >> 32;
+        if x_high != 0 {
+            high += unsigned_product(x_high, y_high);
+        }
+    }
+    high += middle >> 32;
+    let size = (high as u128) << 64 | (middle << 32) as u128 | (low & 0xffff_ffff) as u128;
+    if (a < 0) != (b < 0) { -size.cast_signed() } else { size.cast_signed() }
+}
+
 /// `step · count`, modulo 2⁶⁴.
 #[inline(never)]
 pub(super) const fn steps(step: i64, count: i32) -> i64 {
@@ -61,10 +90,13 @@ mod tests {
 
     proptest! {
         #[test]
-        fn halves_make_the_whole_product(a: i32, b: i32, step: i64, small in -40_000i32..40_000) {
+        fn halves_make_the_whole_product(a: i32, b: i32, step: i64, other: i64, small in -40_000i32..40_000) {
             prop_assert_eq!(signed_product(a, b), i64::from(a) * i64::from(b));
             let (x, y) = (a.cast_unsigned(), b.cast_unsigned());
             prop_assert_eq!(unsigned_product(x, y), u64::from(x) * u64::from(y));
+            for (a, b) in [(step, other), (step, other >> 40), (step >> 40, step >> 20)] {
+                prop_assert_eq!(long_product(a, b), i128::from(a) * i128::from(b));
+            }
             for by in 0..64 {
                 prop_assert_eq!(shifted(step, by), step >> by);
             }
@@ -78,6 +110,12 @@ mod tests {
     #[test]
     fn the_ends_of_the_range() {
         let ends = [i32::MIN, i32::MIN + 1, -1, 0, 1, 0x7fff, 0x8000, 0xffff, i32::MAX];
+        let long = [i64::MIN, i64::MIN + 1, -1, 0, 1, 0xffff_ffff, 1 << 32, i64::MAX];
+        for a in long {
+            for b in long {
+                assert_eq!(long_product(a, b), i128::from(a) * i128::from(b));
+            }
+        }
         for a in ends {
             for b in ends {
                 assert_eq!(signed_product(a, b), i64::from(a) * i64::from(b));

@@ -63,6 +63,15 @@ pub(crate) const fn unsigned_product(a: u32, b: u32) -> u64 {
     }
 }
 
+/// `a · b`.
+#[inline]
+pub(crate) const fn long_product(a: i64, b: i64) -> i128 {
+    match CORE {
+        Core::Narrow => armv6m::long_product(a, b),
+        _ => a as i128 * b as i128,
+    }
+}
+
 /// `step · count`, modulo 2⁶⁴.
 #[inline]
 pub(crate) const fn steps(step: i64, count: i32) -> i64 {

@@ -2,11 +2,13 @@
 
 use super::const_ops::{normalized, stretch};
 use super::grid::Grid;
+use super::kind::OfFloat;
 use super::matrix::inverted;
 use super::number::{Number, Real};
 use super::rebase::{Rebased, rebased};
 use super::scalar::{Formula, Inverse, Matrix, Roots, Scalar, Stretch};
 use crate::numeric::{Double, Native, SATURATES_TO_I32, dot3, product_difference};
+use core::fmt::Debug;
 
 /// `x·y`, added up from the first coordinate on.
 #[inline]
@@ -131,6 +133,7 @@ impl<S: Native> Scalar for S {
     type Unit = Self;
     type Wide = Self;
     type Scale = Self;
+    type OfKind<A: Copy + Debug, B: Copy + Debug> = OfFloat<A, B>;
 
     const LOWEST: Self = S::CONSTANTS.minus_infinity;
     const HIGHEST: Self = S::CONSTANTS.infinity;

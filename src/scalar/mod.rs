@@ -12,6 +12,7 @@ mod const_ops;
 mod fixed;
 mod float;
 mod grid;
+mod kind;
 mod matrix;
 mod number;
 mod per_scalar;
@@ -22,6 +23,8 @@ mod scalar;
 pub use fixed::{FixedI32, I16F16, Scale, Wide};
 #[doc(hidden)]
 pub use grid::Grid;
+#[doc(hidden)]
+pub use kind::{ByKind, OfFixed, OfFloat};
 pub use number::{Number, Real};
 pub(crate) use scalar::Float;
 pub use scalar::{FixedPoint, Formula, Roots, Scalar};

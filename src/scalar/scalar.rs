@@ -1,6 +1,8 @@
 //! What a number type of scenes can do.
 
+use super::fixed::Wide;
 use super::grid::Grid;
+use super::kind::ByKind;
 use super::number::{Number, Real};
 use super::rebase::Rebased;
 use crate::numeric::{Native, add_product};
@@ -19,6 +21,9 @@ pub trait Scalar: Number {
     type Wide: Real;
     /// A positive factor of any size.
     type Scale: Copy + Debug + PartialEq;
+    /// `A` in floating point, `B` in fixed point.
+    #[doc(hidden)]
+    type OfKind<A: Copy + Debug, B: Copy + Debug>: ByKind<A, B>;
 
     /// Below every parameter of a crossing: −∞ where the type has it.
     const LOWEST: Self;
@@ -229,7 +234,7 @@ pub trait Formula<S: Scalar> {
 }
 
 /// A fixed-point number, as integers.
-pub trait FixedPoint: Scalar {
+pub trait FixedPoint: Scalar<Wide = Wide> {
     /// The number of bits behind the point.
     const BITS: u32;
 
@@ -244,6 +249,9 @@ pub trait FixedPoint: Scalar {
 
     /// The coordinate of a direction that has so many units of 2⁻²⁸.
     fn unit_from_bits(bits: i32) -> Self::Unit;
+
+    /// One of [`quotients`](Scalar::quotients).
+    fn quotient(numerator: Wide, denominator: Wide) -> Self;
 }
 
 /// A matrix, by its rows.

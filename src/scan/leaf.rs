@@ -13,7 +13,13 @@ pub trait Kept<S>: Copy + Empty {
 
     /// What lies behind `t`, with faces counted from `first` on.
     fn behind(&self, t: S, first: Face) -> Step<S>;
+
+    /// Whether `t` is not before the first span, and where that ends was [left open](Leaf::CLOSES_LATER).
+    fn is_open(&self, t: S) -> bool;
 }
+
+/// The face at the end of a span that was left open.
+pub(crate) const OPEN: Face = Face(u16::MAX);
 
 impl<S: Scalar, const K: usize> Kept<S> for [Span<S>; K] {
     #[inline(always)]
@@ -36,6 +42,11 @@ impl<S: Scalar, const K: usize> Kept<S> for [Span<S>; K] {
         }
         let face = first.offset(step.next.face.0);
         Step { next: Crossing { face, ..step.next }, ..step }
+    }
+
+    #[inline(always)]
+    fn is_open(&self, t: S) -> bool {
+        self.first().is_some_and(|span| span.exit.face == OPEN && span.enter.t <= t)
     }
 }
 
@@ -62,6 +73,13 @@ pub trait Leaf<R>: Shape {
 
     /// Sets the spans of the ray `x` half pixels to the right of the middle.
     fn spans(&self, view: &Self::View, row: &Self::Row, x: i32, spans: &mut Self::Spans);
+
+    /// Whether [`spans`](Self::spans) may leave open where the first span ends: with the face `Face(u16::MAX)`
+    /// there, and any parameter. Few pixels see the far side of a solid.
+    const CLOSES_LATER: bool = false;
+
+    /// Closes what was left open.
+    fn close(&self, _: &Self::View, _: &Self::Row, _x: i32, _: &mut Self::Spans) {}
 
     /// Whether a span of that ray may contain `t`, if that takes less work than the spans.
     #[inline(always)]
@@ -126,6 +144,7 @@ impl<D, K> LeafRow<D, K> {
                 self.compute::<R, T>(solid, view, x);
             }
         }
+        self.close::<R, T>(solid, view, t);
         self.spans.behind(t, first)
     }
 
@@ -141,7 +160,20 @@ impl<D, K> LeafRow<D, K> {
             }
             self.compute_cold::<R, T>(solid, view, x);
         }
+        self.close::<R, T>(solid, view, t);
         self.spans.contain(t)
+    }
+
+    /// Closes what was left open, if the answer depends on it.
+    #[inline(always)]
+    fn close<R, T>(&mut self, solid: &T, view: &T::View, t: T::Scalar)
+    where
+        T: Leaf<R, Row = D, Spans = K>,
+        K: Kept<T::Scalar>,
+    {
+        if T::CLOSES_LATER && self.spans.is_open(t) {
+            solid.close(view, &self.row, self.x, &mut self.spans);
+        }
     }
 
     /// Keeps the spans of another ray.

@@ -24,6 +24,6 @@ pub(crate) mod taper;
 pub(crate) use active::view_each;
 pub use active::{GroupRow, Member};
 pub(crate) use group::Active;
-pub(crate) use leaf::leaf;
 pub use leaf::{Kept, Leaf, LeafRow};
+pub(crate) use leaf::{OPEN, leaf};
 pub use stage::{ColumnRun, Empty, Scan};

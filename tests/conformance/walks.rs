@@ -96,6 +96,7 @@ where
             let mut kept = T::Spans::EMPTY;
             kept.as_mut().fill(Span::whole_line(Face(0)));
             leaf.spans(&view, row, x, &mut kept);
+            leaf.close(&view, row, x, &mut kept);
             let with_length =
                 kept.as_mut().iter().filter_map(|span| Span::new(span.enter, span.exit));
             *spans.downcast_mut::<Vec<Span<T::Scalar>>>().unwrap() = with_length.collect();

@@ -24,6 +24,10 @@ pub struct Profile {
     #[arg(long, default_value = "orthographic_frame")]
     part: String,
 
+    /// Run frames only, and of each picture one row of so many
+    #[arg(long, value_name = "ROWS")]
+    every: Option<u16>,
+
     /// Also write the count of every instruction's address, for a disassembler's listing
     #[arg(long, value_name = "FILE")]
     addresses: Option<PathBuf>,
@@ -113,8 +117,11 @@ fn count(
 
 /// Prints how often the instructions of each function ran, most first.
 pub fn show(chosen: &Profile) -> Result<(), String> {
-    let Profile { board, number, part, addresses } = chosen;
-    let elf = toolchain::find(board.target())?.build(*board, *number, "bench", &[])?;
+    let Profile { board, number, part, every, addresses } = chosen;
+    let every = every.map(|every| every.to_string());
+    let every = every.as_ref().map(|every| ("SCANCSG_EVERY", Path::new(every)));
+    let every = every.as_slice();
+    let elf = toolchain::find(board.target())?.build_with(*board, *number, "bench", &[], every)?;
     let functions = functions(&elf)?;
     let named = |name: &str| {
         let end = format!("::{name}");

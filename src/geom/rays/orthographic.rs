@@ -45,7 +45,7 @@ pub(super) struct PlaneRow<S: Scalar> {
     /// The way from the centre to the middle of the row.
     down: Vec3<S::Wide>,
     /// The step of half a pixel.
-    right: Vec3<S::Wide>,
+    pub(super) right: Vec3<S::Wide>,
 }
 
 impl<S: Scalar> PlaneRow<S> {
@@ -57,12 +57,7 @@ impl<S: Scalar> PlaneRow<S> {
     /// The way from the centre to a pixel.
     #[inline]
     pub(super) fn offset(&self, x: i32) -> Vec3<S::Wide> {
-        let Self { down, right, .. } = self;
-        Vec3::new(
-            down.x.after_steps(right.x, x),
-            down.y.after_steps(right.y, x),
-            down.z.after_steps(right.z, x),
-        )
+        self.down.after_steps(self.right, x)
     }
 }
 

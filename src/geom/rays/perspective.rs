@@ -5,7 +5,7 @@ use super::{RayRow, Rays};
 use crate::geom::pose::Pose;
 use crate::geom::ray::Line;
 use crate::geom::vec3::Vec3;
-use crate::scalar::{Number, Scalar};
+use crate::scalar::{Grid, Number, Scalar};
 
 /// The rays of a perspective picture: a pencil through the eye.
 ///
@@ -37,8 +37,14 @@ impl<S: Scalar> PerspectiveRays<S> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PerspectiveRow<S: Scalar> {
     plane: PlaneRow<S>,
-    forward: Vec3<S::Wide>,
     inverse_distance: S::Wide,
+    /// The viewing direction; in fixed point, the direction of a ray in the row's middle, and its step.
+    turn: [Vec3<S::Wide>; 2],
+}
+
+/// Whether directions are added up from steps: in fixed point, where a step is exact.
+const fn has_steps<S: Scalar>() -> bool {
+    matches!(S::GRID, Grid::Fixed(_))
 }
 
 impl<S: Scalar> RayRow for PerspectiveRow<S> {
@@ -47,9 +53,15 @@ impl<S: Scalar> RayRow for PerspectiveRow<S> {
     #[inline]
     fn line(&self, x: i32) -> Line<S> {
         let offset = self.plane.offset(x);
+        let [middle, step] = self.turn;
+        let direction = if has_steps::<S>() {
+            middle.after_steps(step, x)
+        } else {
+            middle + offset * self.inverse_distance
+        };
         Line {
             origin: (self.plane.center + offset).map(S::from_wide),
-            direction: (self.forward + offset * self.inverse_distance).map(S::from_wide),
+            direction: direction.map(S::from_wide),
         }
     }
 }
@@ -69,11 +81,14 @@ impl<S: Scalar> Rays for PerspectiveRays<S> {
     }
 
     fn row(&self, y: i32) -> PerspectiveRow<S> {
-        PerspectiveRow {
-            plane: PlaneRow::new(&self.plane, y),
-            forward: self.plane.forward,
-            inverse_distance: self.inverse_distance,
-        }
+        let Self { plane, inverse_distance, .. } = *self;
+        let row = PlaneRow::new(&plane, y);
+        let turn = if has_steps::<S>() {
+            [plane.forward + row.offset(0) * inverse_distance, row.right * inverse_distance]
+        } else {
+            [plane.forward; 2]
+        };
+        PerspectiveRow { plane: row, inverse_distance, turn }
     }
 
     fn start(&self) -> S {

@@ -14,6 +14,7 @@ pub use wide::Wide;
 
 use super::const_ops::ConstOps;
 use super::grid::Grid;
+use super::kind::OfFixed;
 use super::number::{Number, sealed::Sealed};
 use super::rebase::Rebased;
 use super::scalar::{FixedPoint, Formula, Inverse, Matrix, Roots, Scalar, Stretch};
@@ -23,6 +24,7 @@ use crate::numeric::integer::{
 };
 use crate::numeric::{product, unsigned_product};
 use ::fixed::types::extra::{LeEqU32, U28};
+use core::fmt::Debug;
 
 /// A number of fraction bits from 8 to 28.
 pub trait Fraction: LeEqU32 + 'static {
@@ -136,10 +138,25 @@ fn root(square: u64, exponent: i32) -> i64 {
     shift_right(i64::from(sqrt(square)), -shift)
 }
 
+#[inline]
+fn quotients<F: Fraction, const N: usize>(
+    numerators: [Wide; N],
+    denominator: Wide,
+) -> [FixedI32<F>; N] {
+    let inverse = Scale::inverse(denominator.abs());
+    let is_negative = denominator < Wide::ZERO;
+    let exponent = F::BITS as i32 - Wide::FRACTION_BITS as i32;
+    numerators.map(|numerator| {
+        let numerator = if is_negative { -numerator } else { numerator };
+        FixedI32::from_bits(narrow(inverse.times_wide(numerator.to_bits(), exponent)))
+    })
+}
+
 impl<F: Fraction> Scalar for FixedI32<F> {
     type Unit = Unit;
     type Wide = Wide;
     type Scale = Scale;
+    type OfKind<A: Copy + Debug, B: Copy + Debug> = OfFixed<A, B>;
 
     const LOWEST: Self = Self::MIN;
     const HIGHEST: Self = Self::MAX;
@@ -227,13 +244,7 @@ impl<F: Fraction> Scalar for FixedI32<F> {
 
     #[inline(never)]
     fn quotients(numerators: [Wide; 2], denominator: Wide) -> [Self; 2] {
-        let inverse = Scale::inverse(denominator.abs());
-        let is_negative = denominator < Wide::ZERO;
-        let exponent = F::BITS as i32 - Wide::FRACTION_BITS as i32;
-        numerators.map(|numerator| {
-            let numerator = if is_negative { -numerator } else { numerator };
-            Self::from_bits(narrow(inverse.times_wide(numerator.to_bits(), exponent)))
-        })
+        quotients(numerators, denominator)
     }
 
     #[inline]
@@ -356,5 +367,11 @@ impl<F: Fraction> FixedPoint for FixedI32<F> {
     #[inline]
     fn unit_from_bits(bits: i32) -> Unit {
         Unit::from_bits(bits)
+    }
+
+    #[inline(never)]
+    fn quotient(numerator: Wide, denominator: Wide) -> Self {
+        let [quotient] = quotients([numerator], denominator);
+        quotient
     }
 }

@@ -1,7 +1,7 @@
 //! 64-bit fixed point: the numbers that a fixed-point picture is set up with.
 
 use crate::numeric::integer::{long_quotient, long_root, shift_right, shift_right_wide};
-use crate::numeric::{sin_cos_of_quarters, steps, unsigned_product};
+use crate::numeric::{long_product, sin_cos_of_quarters, steps, unsigned_product};
 use crate::scalar::grid::nearest_units;
 use crate::scalar::number::{Number, Real, sealed::Sealed};
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -142,7 +142,7 @@ impl Neg for Wide {
 
 #[inline]
 fn product(a: Wide, b: Wide) -> i128 {
-    i128::from(a.0) * i128::from(b.0)
+    long_product(a.0, b.0)
 }
 
 impl Real for Wide {

@@ -31,29 +31,42 @@ impl<S: Scalar> PerspectiveBall<S> {
         let along = |direction: Vec3<S::Wide>| from_middle.dot_compensated(direction);
         let center = Vec3::new(along(plane.right), along(plane.down), along(plane.forward));
         let (half_pixel, slope) = (plane.half_pixel, plane.half_pixel * rays.inverse_distance);
-        let rows = Self::rows(center, radius, rays.distance, slope);
+        // Three coordinates, each of which is as large as that.
+        let size = center.max_abs() + rays.distance + radius;
+        let around = radius + S::uncertainty(size + size + size);
+        let rows = Self::rows(center.y, (center.z + rays.distance).around(around), around, slope);
         Self { center, radius, half_pixel, slope, rows }
     }
 
-    /// The rows that can meet the ball.
+    /// The rows that can meet a ball around a point (x, y, z) from the eye.
     ///
-    /// Row s·z = y meets it where |y − s·z| ≤ r√(1 + s²), with its centre at (x, y, z) from the eye.
-    /// The root is at most 1 + |s|, so s lies between (y − r)/(z ± r) and (y + r)/(z ± r), with
-    /// the sign that makes that farther away.
-    fn rows(center: Vec3<S::Wide>, radius: S::Wide, distance: S::Wide, slope: S::Wide) -> Rows {
-        let far = center.z + distance;
-        let size = center.max_abs() + distance + radius;
-        // Three coordinates, each of which is as large as that.
-        let radius = radius + S::uncertainty(size + size + size);
-        let (nearest, farthest) = (far - radius, far + radius);
-        if !nearest.is_divisor() || nearest <= S::Wide::ZERO || !farthest.is_finite() {
+    /// Row s·z = y meets it where |y − s·z| ≤ r√(1 + s²). The root is at most 1 + |s|, so s lies between
+    /// (y − r)/(z ± r) and (y + r)/(z ± r), with the sign that makes that farther away.
+    pub(crate) fn rows(
+        y: S::Wide,
+        [nearest, farthest]: [S::Wide; 2],
+        radius: S::Wide,
+        slope: S::Wide,
+    ) -> Rows {
+        // What half a pixel is at the nearest and at the farthest point.
+        let [near, far] = [nearest, farthest].map(|depth| depth * slope);
+        if nearest <= S::Wide::ZERO || !near.is_divisor() || !farthest.is_finite() {
             return Rows::ALL;
         }
-        let (low, high) = (center.y - radius, center.y + radius);
-        let low = low / if low < S::Wide::ZERO { nearest } else { farthest };
-        let high = high / if high < S::Wide::ZERO { farthest } else { nearest };
-        let at = Affine { middle: S::Wide::ZERO, step: slope };
-        Rows::of(Steps::between::<S>(at, low, high, low.abs() + high.abs()))
+        let (low, high) = (y - radius, y + radius);
+        let low = low.ratio(if low < S::Wide::ZERO { near } else { far });
+        let high = high.ratio(if high < S::Wide::ZERO { far } else { near });
+        Rows::of(Steps::from_to(low, high))
+    }
+
+    /// Whether all of the ball, and of one that is half as large again, is before an eye at this distance.
+    pub(crate) fn is_before_eye(&self, distance: S::Wide) -> bool {
+        self.center.z + distance > self.radius + self.radius * S::Wide::HALF
+    }
+
+    /// The rows that can meet the ball.
+    pub(crate) fn in_rows(&self) -> Rows {
+        self.rows
     }
 
     /// d in a row.

@@ -17,6 +17,9 @@ pub(crate) struct Steps {
     last: i32,
 }
 
+/// By so much quotients may be off: see [`Real::ratio`].
+const MARGIN: i32 = 3;
+
 impl Steps {
     pub(crate) const NONE: Self = Self { first: i32::MAX, last: i32::MIN };
     pub(crate) const ALL: Self = Self { first: i32::MIN, last: i32::MAX };
@@ -30,8 +33,6 @@ impl Steps {
         high: S::Wide,
         size: S::Wide,
     ) -> Self {
-        /// By so much quotients may be off: see [`Real::ratio`].
-        const MARGIN: i32 = 3;
         let error = S::uncertainty(size);
         let (low, high) = (low - error - length.middle, high + error - length.middle);
         // Not so if either is infinite or NaN, nor if they are too far apart.
@@ -46,7 +47,7 @@ impl Steps {
         if length.step < S::Wide::ZERO {
             (first, last) = (last, first);
         }
-        Self { first: first.saturating_sub(MARGIN), last: last.saturating_add(MARGIN) }
+        Self::from_to(first, last)
     }
 
     /// Where `length ≤ 0` may hold; `size` as for [`between`](Self::between).
@@ -61,6 +62,25 @@ impl Steps {
     #[inline]
     pub(crate) fn within<S: Scalar>(length: Affine<S::Wide>, reach: S::Wide) -> Self {
         Self::between::<S>(length, -reach, reach, reach + length.middle.abs())
+    }
+
+    /// From one pixel to another, each by a quotient.
+    pub(crate) fn from_to(first: i32, last: i32) -> Self {
+        Self { first: first.saturating_sub(MARGIN), last: last.saturating_add(MARGIN) }
+    }
+
+    /// Where a length isn't negative, of which every bit counts.
+    pub(crate) fn not_below<T: Real>(length: Affine<T>) -> Self {
+        let Affine { middle, step } = length;
+        if step == T::ZERO {
+            return if middle < T::ZERO { Self::NONE } else { Self::ALL };
+        }
+        let at = (-middle).ratio(step);
+        if step > T::ZERO {
+            Self { first: at.saturating_sub(MARGIN), ..Self::ALL }
+        } else {
+            Self { last: at.saturating_add(MARGIN), ..Self::ALL }
+        }
     }
 
     /// What is in both.

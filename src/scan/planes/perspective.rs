@@ -45,6 +45,17 @@ impl<S: Scalar> PerspectiveView<S> {
             inverse_distance: rays.inverse_distance,
         }
     }
+
+    /// normal·d in the middle of the picture.
+    pub(crate) fn speed(&self) -> S::Wide {
+        self.speed
+    }
+
+    /// normal·p at the eye, at this distance from the image plane.
+    pub(crate) fn at_eye(&self, distance: S::Wide) -> S::Wide {
+        let [middle, ..] = self.height;
+        middle - distance * self.speed
+    }
 }
 
 /// A row of planes, seen from an eye.
@@ -60,5 +71,9 @@ impl<S: Scalar> PerspectiveRow<S> {
         let offset = Affine::row([S::Wide::ZERO, right, down], y);
         let turn = offset.times(view.inverse_distance);
         Self { height: offset.above(height), speed: turn.above(view.speed) }
+    }
+    /// normal·p where the rays have t = 0, and normal·d.
+    pub(crate) fn lines(&self) -> [Affine<S::Wide>; 2] {
+        [self.height, self.speed]
     }
 }
