@@ -8,7 +8,7 @@ mod triangle;
 use super::domain::{Domain, Outside};
 use super::error::{CurveError, EvaluateError};
 use super::knots::Knots;
-use super::point::{Point, direction, outer};
+use super::point::{Point, direction};
 use super::scalar::SplineScalar;
 use super::scalar::order::Ordered;
 use crate::geom::Vec3;
@@ -87,9 +87,9 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
             return self.derivative_at(0, t);
         }
         let span = self.knots.span_of_domain(t, domain.to);
-        let point = triangle::on_span::<P, K>(&self.knots.knots, &self.points, span, t);
+        let point = triangle::point::<P, K>(&self.knots.knots, &self.points, span, t);
         // A constructed curve has a span for every parameter.
-        Ok(point.map_or(P::ORIGIN, outer))
+        Ok(point.unwrap_or(P::ORIGIN))
     }
 
     /// A derivative of the curve by its parameter; of order 0 it is the value, of order `K` or more
