@@ -6,8 +6,8 @@
 //! sums has positive terms only: `Cᵢ + (Cᵢ₋₁ − Cᵢ)·ratio`. The ratios don't depend on the coordinates,
 //! and the sum is rounded once.
 
-use crate::scalar::integer::{leading_zeros, long_quotient};
 use crate::numeric::unsigned_product;
+use crate::scalar::integer::{leading_zeros, long_quotient};
 
 /// Fraction bits of a ratio and of a cumulative basis function. Both are from 0 to 1.
 const BITS: u32 = 44;
@@ -98,10 +98,7 @@ fn ratio(divisor: &mut Divisor, part: u32, width: u32) -> u64 {
 /// The cumulative basis functions of a span as their parts, given the K knots from its beginning
 /// backwards, in ascending order, and those from its end on.
 #[inline]
-pub(super) fn cumulative<const K: usize>(
-    [low, high]: [&[i32; K]; 2],
-    t: i32,
-) -> [[u32; 2]; K] {
+pub(super) fn cumulative<const K: usize>([low, high]: [&[i32; K]; 2], t: i32) -> [[u32; 2]; K] {
     let mut divisor = Divisor { width: 0, normal: 0, shift: 0, inverse: 0 };
     let mut sums = [0u64; K];
     if let Some(first) = sums.first_mut() {
@@ -130,4 +127,69 @@ pub(super) fn mean(first: i32, others: impl Iterator<Item = (i32, [u32; 2])>) ->
         before = own;
     }
     first.wrapping_add((sum.cast_signed() >> UPPER) as i32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// How far a ratio is from the exact one, times the width: in units of its last place.
+    fn error(part: u32, width: u32) -> f64 {
+        let got = ratio(&mut Divisor::new(width & 0x7fff_ffff), part, width);
+        let exact = i128::from(part) << BITS;
+        (i128::from(got) * i128::from(width) - exact) as f64 / f64::from(width)
+    }
+
+    proptest! {
+        #[test]
+        fn ratios_are_nearly_the_nearest(any: u32, other: u32, shift in 0..32u32) {
+            let wide = any | 1 << 31;
+            for width in [any, any >> shift, wide, wide >> shift, u32::MAX >> shift, 1 << shift] {
+                let width = width.max(1);
+                // All ratios; and some next to 0, to a half and to 1.
+                let scaled = ((u64::from(other) * u64::from(width)) >> 32) as u32;
+                let near = other % width.min(64);
+                for part in [scaled, near, width - near, width / 2 + near / 2] {
+                    let limit = if width >> 31 == 0 { 0.54 } else { 1.0 };
+                    let error = error(part, width);
+                    prop_assert!(error.abs() < limit, "{} / {}: {}", part, width, error);
+                }
+            }
+        }
+
+        #[test]
+        fn products_round(a in 0..=1u64 << BITS, b in 0..=1u64 << BITS, shift in 0..BITS) {
+            for (a, b) in [(a, b), (a >> shift, b), (1 << BITS, b), (a, 1 << BITS)] {
+                let exact = (u128::from(a) * u128::from(b)) as f64 / 2f64.powi(BITS as i32);
+                let error = product(a, b) as f64 - exact;
+                prop_assert!(error.abs() < 0.51, "{a} · {b}: {error}");
+            }
+            prop_assert_eq!(product(1 << BITS, b), b);
+        }
+    }
+
+    /// All that a divisor's reciprocal depends on.
+    #[test]
+    fn every_reciprocal_has_quick_ratios() {
+        for upper in 1u32 << 15..1 << 16 {
+            for width in [upper << 15, upper << 15 | 0x7fff] {
+                for part in [1, width / 3, width - width / 5, width - 1] {
+                    let error = error(part, width);
+                    assert!(error.abs() < 0.54, "{part} / {width}: {error}");
+                }
+                assert_eq!([error(0, width), error(width, width)], [0.0; 2]);
+            }
+        }
+    }
+
+    /// Where a ratio can be represented, it is.
+    #[test]
+    fn halves_are_exact() {
+        for shift in 0..30 {
+            for width in [2u32 << shift, 6 << shift.min(28), 0x7fff_fffe, u32::MAX - 1] {
+                assert_eq!(error(width / 2, width), 0.0);
+            }
+        }
+    }
 }
