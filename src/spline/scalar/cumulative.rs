@@ -47,7 +47,10 @@ struct Divisor {
 }
 
 impl Divisor {
-    /// Of a width below 2³¹.
+    /// Before there is a width: ratios are 0.
+    const NONE: Self = Self { width: 0, normal: 0, shift: 0, inverse: 0 };
+
+    /// Of a width from 1 to 2³¹ − 1.
     #[inline(never)]
     const fn new(width: u32) -> Self {
         let shift = leading_zeros(width as u64).wrapping_sub(33) & 31;
@@ -99,7 +102,7 @@ fn ratio(divisor: &mut Divisor, part: u32, width: u32) -> u64 {
 /// backwards, in ascending order, and those from its end on.
 #[inline]
 pub(super) fn cumulative<const K: usize>([low, high]: [&[i32; K]; 2], t: i32) -> [[u32; 2]; K] {
-    let mut divisor = Divisor { width: 0, normal: 0, shift: 0, inverse: 0 };
+    let mut divisor = Divisor::NONE;
     let mut sums = [0u64; K];
     if let Some(first) = sums.first_mut() {
         *first = 1 << BITS;
@@ -136,7 +139,7 @@ mod tests {
 
     /// How far a ratio is from the exact one, times the width: in units of its last place.
     fn error(part: u32, width: u32) -> f64 {
-        let got = ratio(&mut Divisor::new(width & 0x7fff_ffff), part, width);
+        let got = ratio(&mut Divisor::NONE, part, width);
         let exact = i128::from(part) << BITS;
         (i128::from(got) * i128::from(width) - exact) as f64 / f64::from(width)
     }
