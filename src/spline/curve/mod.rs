@@ -18,9 +18,10 @@ use crate::scalar::Number;
 ///
 /// It is evaluated by de Boor's algorithm (C. de Boor, *On calculating with B-splines*, Journal of
 /// Approximation Theory 6, 1972): control points are blended two by two, each pair from the nearer end of
-/// its knot interval. In floating point, orders up to 6 are within 5 units in the last place of the
-/// largest coordinate of the control points; in fixed point, which has 28 guard bits on the way, within
-/// 0.51 units. A curve with clamped ends passes through its first and last control point exactly.
+/// its knot interval. In fixed point the same blends make cumulative basis functions, and these the point.
+/// In floating point, orders up to 6 are within 5 units in the last place of the largest coordinate of
+/// the control points; in fixed point they are within 0.51 units. A curve with clamped ends passes through
+/// its first and last control point exactly.
 #[derive(Debug, Clone, Copy)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Curve<P: Point, const K: usize, const C: usize, const N: usize> {
