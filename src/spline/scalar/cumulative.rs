@@ -112,7 +112,9 @@ pub(super) fn cumulative<const K: usize>([low, high]: [&[i32; K]; 2], t: i32) ->
             let (Some(&low), Some(&high)) = (low.get(i + level), high.get(i)) else { break };
             let ratio = ratio(&mut divisor, t.abs_diff(low), high.abs_diff(low));
             if let Some([before, own]) = sums.get_mut(i..i + 2) {
-                *own = own.wrapping_add(product(before.wrapping_sub(*own), ratio));
+                let way = before.wrapping_sub(*own);
+                let is_one = level == K - 1;
+                *own = own.wrapping_add(if is_one { ratio } else { product(way, ratio) });
             }
         }
     }
