@@ -8,6 +8,7 @@ use testkit::bspline_table as table;
 mod bad_input;
 mod curves;
 mod editing;
+mod ends_of_range;
 mod number;
 mod polylines;
 mod properties;

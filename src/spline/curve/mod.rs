@@ -8,7 +8,7 @@ mod triangle;
 use super::domain::{Domain, Outside};
 use super::error::{CurveError, EvaluateError};
 use super::knots::Knots;
-use super::point::{Point, direction, outer};
+use super::point::{Point, direction};
 use super::scalar::SplineScalar;
 use super::scalar::order::Ordered;
 use crate::geom::Vec3;
@@ -18,9 +18,10 @@ use crate::scalar::Number;
 ///
 /// It is evaluated by de Boor's algorithm (C. de Boor, *On calculating with B-splines*, Journal of
 /// Approximation Theory 6, 1972): control points are blended two by two, each pair from the nearer end of
-/// its knot interval. In floating point, orders up to 6 are within 5 units in the last place of the
-/// largest coordinate of the control points; in fixed point, which has 28 guard bits on the way, within
-/// 0.51 units. A curve with clamped ends passes through its first and last control point exactly.
+/// its knot interval. In fixed point the same blends make cumulative basis functions, and these the point.
+/// In floating point, orders up to 6 are within 5 units in the last place of the largest coordinate of
+/// the control points; in fixed point they are within 0.51 units. A curve with clamped ends passes through
+/// its first and last control point exactly.
 #[derive(Debug, Clone, Copy)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Curve<P: Point, const K: usize, const C: usize, const N: usize> {
@@ -87,9 +88,9 @@ impl<P: Point, const K: usize, const C: usize, const N: usize> Curve<P, K, C, N>
             return self.derivative_at(0, t);
         }
         let span = self.knots.span_of_domain(t, domain.to);
-        let point = triangle::on_span::<P, K>(&self.knots.knots, &self.points, span, t);
+        let point = triangle::point::<P, K>(&self.knots.knots, &self.points, span, t);
         // A constructed curve has a span for every parameter.
-        Ok(point.map_or(P::ORIGIN, outer))
+        Ok(point.unwrap_or(P::ORIGIN))
     }
 
     /// A derivative of the curve by its parameter; of order 0 it is the value, of order `K` or more

@@ -1,11 +1,25 @@
 //! De Boor's triangle over slices: control points are blended two by two.
 
 use crate::spline::error::EvaluateError;
-use crate::spline::point::{Inner, Point, combine, inner};
+use crate::spline::point::{Inner, Point, combine, inner, outer};
 use crate::spline::scalar::Arithmetic;
 
 /// The highest order whose blends are few enough for quick ratios.
 const QUICK: usize = 4;
+
+/// The control points of a span, the K knots from its beginning backwards, and those from its end on.
+type Around<'a, P, const K: usize> = (&'a [P; K], [&'a [<P as Point>::Scalar; K]; 2]);
+
+#[inline(always)]
+fn around<'a, P: Point, const K: usize>(
+    knots: &'a [P::Scalar],
+    points: &'a [P],
+    span: usize,
+) -> Option<Around<'a, P, K>> {
+    let first = (span + 1).checked_sub(K)?;
+    let points = points.get(first..)?.first_chunk()?;
+    Some((points, [knots.get(first..)?.first_chunk()?, knots.get(span + 1..)?.first_chunk()?]))
+}
 
 /// Levels 1 to K − 1 of a triangle over the control points of a span: a step changes a point with its
 /// right neighbour, given the level and the ends of their knot interval.
@@ -16,10 +30,7 @@ fn triangle<P: Point, const K: usize>(
     span: usize,
     step: impl Fn(usize, &mut Inner<P>, Inner<P>, [P::Scalar; 2]) -> Option<()>,
 ) -> Option<[Inner<P>; K]> {
-    let first = (span + 1).checked_sub(K)?;
-    let points: &[P; K] = points.get(first..)?.first_chunk()?;
-    let low: &[P::Scalar; K] = knots.get(first..)?.first_chunk()?;
-    let high: &[P::Scalar; K] = knots.get(span + 1..)?.first_chunk()?;
+    let (points, [low, high]) = around::<P, K>(knots, points, span)?;
     let mut row = points.map(inner);
     for level in 1..K {
         // Loops over an index get unrolled, which chains of iterators don't.
@@ -32,7 +43,22 @@ fn triangle<P: Point, const K: usize>(
     Some(row)
 }
 
-/// The point at a parameter on the span.
+/// The point at a parameter on the span, or at one of its ends.
+#[inline]
+pub(super) fn point<P: Point, const K: usize>(
+    knots: &[P::Scalar],
+    points: &[P],
+    span: usize,
+    t: P::Scalar,
+) -> Option<P> {
+    let (own, around) = around::<P, K>(knots, points, span)?;
+    match P::Scalar::summed(|| own.map(P::coordinates), around, t) {
+        Some(coordinates) => Some(P::from_coordinates(coordinates)),
+        None => on_span::<P, K>(knots, points, span, t).map(outer),
+    }
+}
+
+/// The point at a parameter on the span, with its guard bits.
 #[inline]
 pub(super) fn on_span<P: Point, const K: usize>(
     knots: &[P::Scalar],

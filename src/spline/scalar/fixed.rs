@@ -1,6 +1,7 @@
 //! Splines in fixed point: integers with guard bits, rounded once.
 
 use super::Arithmetic;
+use super::cumulative::{cumulative, mean};
 use crate::scalar::integer::{divide, narrow, shift_right};
 use crate::scalar::{ConstOps, FixedI32, Fraction};
 use core::fmt::Debug;
@@ -135,6 +136,23 @@ impl<F: Fraction> Arithmetic for FixedI32<F> {
     #[inline]
     fn blend(a: i64, b: i64, ratio: Mixed) -> i64 {
         a.saturating_add(ratio.of(b.saturating_sub(a)))
+    }
+
+    #[inline]
+    fn summed<A: Copy + AsRef<[Self]> + AsMut<[Self]>, const K: usize>(
+        points: impl Fn() -> [A; K],
+        knots: [&[Self; K]; 2],
+        t: Self,
+    ) -> Option<A> {
+        let [low, high] = knots.map(|knots| knots.map(Self::to_bits));
+        let (points, sums) = (points(), cumulative([&low, &high], t.to_bits()));
+        let mut point = *points.first()?;
+        for (i, x) in point.as_mut().iter_mut().enumerate() {
+            let of = |point: &A| point.as_ref().get(i).map_or(0, |x| x.to_bits());
+            let others = points.iter().map(of).zip(sums).skip(1);
+            *x = Self::from_bits(mean(x.to_bits(), others));
+        }
+        Some(point)
     }
 
     fn split(x: i64, t: Self, [low, high]: [Self; 2]) -> [i64; 2] {

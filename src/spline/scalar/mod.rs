@@ -1,6 +1,7 @@
 //! The arithmetic of splines: what number types do in ways of their own.
 
 pub(super) mod constant;
+mod cumulative;
 pub(super) mod fixed;
 pub(super) mod float;
 pub(super) mod order;
@@ -68,6 +69,18 @@ pub trait Arithmetic: Scalar + Ordered {
 
     /// `a + (b − a)·ratio`; exactly a or b where t was `low` or `high`.
     fn blend(a: Self::Inner, b: Self::Inner, ratio: Self::Ratio) -> Self::Inner;
+
+    /// The point at a parameter, of a span whose K control points have these coordinates, given the K
+    /// knots from its beginning backwards, in ascending order, and those from its end on. `None` where
+    /// blends are the way to it.
+    #[inline]
+    fn summed<A: Copy + AsRef<[Self]> + AsMut<[Self]>, const K: usize>(
+        _points: impl Fn() -> [A; K],
+        _knots: [&[Self; K]; 2],
+        _t: Self,
+    ) -> Option<A> {
+        None
+    }
 
     /// `weight·(t − low)/(high − low)` and `weight·(high − t)/(high − low)`, for `low ≤ t ≤ high`; 0 for
     /// knots that coincide.
