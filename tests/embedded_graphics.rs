@@ -220,3 +220,11 @@ fn a_ball_on_a_display_of_two_colors() {
     draw(&mut picture, Point::new(-1, 0), &mut row, &mut display, &window).unwrap();
     display.assert_pattern(&["####.", "#####", "#####", "#####", "#####", "####."]);
 }
+
+#[test]
+fn errors_of_displays_are_handed_up() {
+    let from = |error: DrawError<u8>| scancsg::Error::from(error);
+    assert_eq!(from(DrawError::Target(7)), DisplayError::Draw.into());
+    assert_eq!(from(DrawError::Target(7)).as_str(), DrawError::Target(7).as_str());
+    assert_eq!(from(DrawError::Render(RowError::Length)), RowError::Length.into());
+}

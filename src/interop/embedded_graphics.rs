@@ -1,5 +1,6 @@
 //! Pictures on the displays of `embedded-graphics`, beside its text and shapes.
 
+use super::error::DisplayError;
 use crate::render::pixel::{Pixel, narrow, scale};
 use crate::render::{Gray8, Mono, Rgb, Rgb565, Rgb888, RowError, RowSource};
 use core::fmt;
@@ -38,6 +39,15 @@ impl<E> DrawError<E> {
 impl<E> From<RowError> for DrawError<E> {
     fn from(error: RowError) -> Self {
         Self::Render(error)
+    }
+}
+
+impl<E> From<DrawError<E>> for crate::Error {
+    fn from(error: DrawError<E>) -> Self {
+        match error {
+            DrawError::Render(error) => error.into(),
+            DrawError::Target(_) => DisplayError::Draw.into(),
+        }
     }
 }
 

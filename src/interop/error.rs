@@ -14,6 +14,14 @@ use crate::stream::{
     EncodeError, LinkError, PacketError, ReceiveError, Refusal, ServeError, UnpackError,
 };
 
+crate::error_text! {
+    /// What is kept of a display's own error.
+    pub enum DisplayError {
+        /// The display can't draw.
+        Draw => "drawing on the target failed",
+    }
+}
+
 macro_rules! errors {
     ($(#[$about:meta])* { $($(#[$when:meta])* $Variant:ident($Error:ident),)+ }) => {
         $(#[$about])*
@@ -47,8 +55,8 @@ errors! {
     /// Any error of the crate, for functions that do several things: `?` turns each error into this one.
     ///
     /// It is two or three bytes, copied at will. Operations themselves have errors of their own, which say
-    /// less and so are easier to handle. Of a [`ServeError`] it keeps how the line failed, and not the line's own
-    /// error. A display's error isn't here.
+    /// less and so are easier to handle. Of a [`ServeError`] it keeps how the line failed, and of a display that
+    /// it failed, and not the line's or the display's own error.
     ///
     /// ```
     /// use scancsg::geom::vec3;
@@ -93,6 +101,8 @@ errors! {
         Cylinder(CylinderError),
         /// Of a packet that is made.
         Encode(EncodeError),
+        /// Of a display.
+        Display(DisplayError),
         /// Of a curve's value.
         Evaluate(EvaluateError),
         /// Of a curve that becomes a polyline.

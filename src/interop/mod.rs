@@ -13,4 +13,4 @@ mod error;
 #[cfg(feature = "mint")]
 pub mod mint;
 
-pub use error::Error;
+pub use error::{DisplayError, Error};
