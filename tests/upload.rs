@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
+use crc::Crc;
 use embedded_io::{ErrorKind, ErrorType, Read, ReadReady, Write};
 use scancsg::program::BytesError;
 use scancsg::render::{Gray8, Palette};
@@ -482,6 +483,31 @@ fn a_frame_is_the_answer_to_a_whole_upload_only() {
     hear(&mut upload, &first);
     assert_eq!(upload.poll(0), UploadTask::Done(Outcome::Taken));
     assert_eq!(upload.delivered(), 300);
+}
+
+/// Another upload begins, even if by no bytes, before the device has looked at the last one.
+#[test]
+fn what_is_refused_is_what_was_handed_over() {
+    let [first, second] = [part(1, 300), part(2, 400)];
+    let mut memory = [0; ROOM];
+    let mut inbox = Inbox::new(&mut memory, 32);
+    let handed_over = |inbox: &mut Inbox<'_>, part: &[u8]| {
+        packets(part).iter().map(|packet| answer(inbox, packet).1).sum::<usize>()
+    };
+    assert_eq!(handed_over(&mut inbox, &first), 1);
+    assert_eq!(inbox.bytes(), first);
+    // Length 400, the CRC-32, offset 0.
+    let crc = Crc::<u32>::new(&crc::CRC_32_ISO_HDLC);
+    let mut begin =
+        [&[0x83, 0x90, 0x01][..], &crc.checksum(&second).to_le_bytes(), &[0, 0]].concat();
+    begin.extend(crc.checksum(&begin).to_le_bytes());
+    let mut line = [0; 32];
+    let length = cobs::encode(&begin, &mut line);
+    assert_eq!(answer(&mut inbox, &line[..=length]).1, 0);
+    assert!(inbox.bytes().is_empty());
+    inbox.refuse(Refusal::Invalid);
+    assert_eq!(handed_over(&mut inbox, &second), 1);
+    assert_eq!(inbox.bytes(), second);
 }
 
 /// A serial port in memory, which says what it gets. It closes, or fails, behind the last byte.

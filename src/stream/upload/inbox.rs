@@ -98,6 +98,8 @@ impl<'m> Inbox<'m> {
                 return false;
             }
             (self.length, self.hash, self.have, self.refusal) = (length, hash, 0, None);
+            // A refusal would be of this one.
+            self.given = 0;
         }
         if offset != self.have || self.refusal.is_some() {
             return false;
