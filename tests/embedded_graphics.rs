@@ -7,6 +7,7 @@ use embedded_graphics::pixelcolor::{self, BinaryColor};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use scancsg::geom::vec3;
+use scancsg::interop::DisplayError;
 use scancsg::interop::embedded_graphics::{DrawError, draw};
 use scancsg::render::{
     Gray8, Lambert, Mono, Orthographic, Picture, Pixel as _, Rgb, Rgb565, Rgb888, RowError,
