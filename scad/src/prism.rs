@@ -32,7 +32,8 @@ fn wall(a: Point, b: Point) -> (Vector, f64) {
     (vec3(sign * y, -sign * x, 0.0), sign * offset)
 }
 
-fn edges(polygon: &[Point]) -> impl Iterator<Item = [Point; 2]> + '_ {
+/// The edges of a polygon, each from its first corner to its last.
+pub fn edges(polygon: &[Point]) -> impl Iterator<Item = [Point; 2]> + '_ {
     let next = polygon.iter().cycle().skip(1);
     polygon.iter().zip(next).map(|(a, b)| [*a, *b])
 }

@@ -6,9 +6,15 @@ use crate::error::Error;
 use crate::flat::{Disc, Flat, SIDES};
 use crate::map::{Map, Point};
 use crate::parse::{Node, Value};
-use crate::prism::{convex_hull, prism};
+use crate::prism::{convex_hull, edges, prism};
 use crate::tree::{Form, Solid, Tree};
 use scancsg::geom::vec3;
+
+/// How many layers an extrusion has that grows by two factors: one to nothing; for each part of its volume that one
+/// layer is too large by; and at most.
+const LAYERS: f64 = 16.0;
+const LAYERS_A_SHARE: f64 = 500.0;
+const MOST_LAYERS: f64 = 64.0;
 
 /// How far up, and by which factors the shape grows on its way.
 #[derive(Debug, Clone, Copy)]
@@ -74,7 +80,7 @@ impl Extrusion {
             Flat::Ellipse(_) => self.of(&Flat::Polygon(shape.resolved())),
             Flat::Polygon(polygon) => {
                 let pieces = polygon.convex_pieces();
-                Tree::union(pieces.iter().filter_map(|piece| self.of_convex(piece)))
+                Tree::union(pieces.iter().flat_map(|piece| self.of_convex(piece)))
             }
             Flat::Union(shapes) => Tree::union(each(shapes)),
             Flat::Intersection(shapes) => Tree::intersection(each(shapes)),
@@ -95,16 +101,41 @@ impl Extrusion {
         Tree::Solid(Solid { form, map, color: None, line: self.line })
     }
 
-    fn of_convex(&self, outline: &[Point]) -> Option<Tree> {
+    fn of_convex(&self, outline: &[Point]) -> Vec<Tree> {
+        if self.scale == [1.0; 2] {
+            return vec![Tree::solid(prism(outline, self.heights), self.line)];
+        }
         let [low, high] = self.heights;
-        let form = if self.scale == [1.0; 2] {
-            prism(outline, self.heights)
-        } else {
-            let [u, v] = self.scale;
-            let lower = outline.iter().map(|[x, y]| vec3(*x, *y, low));
-            let upper = outline.iter().map(|[x, y]| vec3(x * u, y * v, high));
-            convex_hull(&lower.chain(upper).collect::<Vec<_>>())?
+        let [u, v] = self.scale;
+        let layers = self.layers(outline);
+        let section = |layer: f64| {
+            let at = layer / layers;
+            let [u, v] = [u, v].map(|factor| 1.0 + (factor - 1.0) * at);
+            let z = if layer == layers { high } else { low + (high - low) * at };
+            outline.iter().map(move |[x, y]| vec3(x * u, y * v, z))
         };
-        Some(Tree::solid(form, self.line))
+        let layer = |index: u32| {
+            let lower = f64::from(index);
+            let corners: Vec<_> = section(lower).chain(section(lower + 1.0)).collect();
+            Some(Tree::solid(convex_hull(&corners)?, self.line))
+        };
+        (0..layers as u32).filter_map(layer).collect()
+    }
+
+    /// How many layers there are, each of them the hull of its ends.
+    ///
+    /// A wall is a plane if both factors are equal, or its edge is along an axis. Else it is bent inwards, and the hull
+    /// is too large by half of the tetrahedron that the ends of the wall span. That falls with the number of layers.
+    fn layers(&self, outline: &[Point]) -> f64 {
+        let [u, v] = self.scale;
+        let wide = |[[ax, ay], [bx, by]]: [Point; 2]| ((bx - ax) * (by - ay)).abs();
+        let excess = edges(outline).map(wide).sum::<f64>() * (u - v).abs() / 12.0;
+        if excess == 0.0 {
+            return 1.0;
+        }
+        let twice = edges(outline).map(|[[ax, ay], [bx, by]]| ax * by - ay * bx).sum::<f64>();
+        let volume = twice.abs() / 2.0 * (1.0 / 3.0 + (u + v) / 6.0 + u * v / 3.0);
+        let bend = (u - v).abs() / u.max(v).max(1.0);
+        (bend * LAYERS).max(excess / volume * LAYERS_A_SHARE).ceil().clamp(1.0, MOST_LAYERS)
     }
 }

@@ -295,6 +295,15 @@ mod tests {
             "linear_extrude(height = 3, scale = [0.5, 0.5]) { square(size = [2, 2], center = true); }",
             7.0,
         );
+        // Walls that bend inwards: less than the hull of both ends, which has 416.7.
+        assert_volume(
+            "linear_extrude(height = 10, scale = [0.5, 1]) { polygon(points = [[0, 0], [10, 0], [0, 10]], paths = undef); }",
+            375.0,
+        );
+        assert_volume(
+            "linear_extrude(height = 10, scale = [0.5, 1]) { circle($fn = 0, r = 5); }",
+            pi * 187.5,
+        );
         assert_volume(
             "linear_extrude(height = 3, center = true) { polygon(points = [[0, 0], [3, 0], [3, 3], [0, 3], [1, 1], [2, 1], [2, 2], [1, 2]], paths = [[0, 1, 2, 3], [4, 5, 6, 7]]); }",
             24.0,
