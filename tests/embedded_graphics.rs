@@ -2,6 +2,7 @@
 #![cfg(feature = "embedded-graphics")]
 #![allow(clippy::unwrap_used)]
 
+use embedded_graphics::geometry;
 use embedded_graphics::mock_display::MockDisplay;
 use embedded_graphics::pixelcolor::{self, BinaryColor};
 use embedded_graphics::prelude::*;
@@ -177,6 +178,39 @@ fn errors_of_both_sides_come_through() {
     assert_eq!(result, Err(DrawError::Target(42)));
     // Nothing is asked of either for what isn't seen.
     assert_eq!(draw(&mut Card, Point::new(9, 0), &mut short, &mut Broken, &window), Ok(()));
+}
+
+#[test]
+fn nothing_is_drawn_beyond_the_last_coordinate() {
+    /// A target without end.
+    struct Plane(Vec<Point>);
+    impl Dimensions for Plane {
+        fn bounding_box(&self) -> Rectangle {
+            Rectangle::new(Point::new(i32::MAX - 9, i32::MAX - 9), geometry::Size::new_equal(99))
+        }
+    }
+    impl DrawTarget for Plane {
+        type Color = Gray;
+        type Error = core::convert::Infallible;
+        fn draw_iter<I>(&mut self, _: I) -> Result<(), Self::Error> {
+            unreachable!()
+        }
+        fn fill_contiguous<I: IntoIterator<Item = Gray>>(
+            &mut self,
+            area: &Rectangle,
+            colors: I,
+        ) -> Result<(), Self::Error> {
+            for (x, _) in (area.top_left.x..=i32::MAX).zip(colors) {
+                self.0.push(Point::new(x, area.top_left.y));
+            }
+            Ok(())
+        }
+    }
+    let (mut plane, mut row) = (Plane(Vec::new()), [Gray8(0); 60]);
+    let (at, window) = (Point::new(i32::MAX - 2, i32::MAX - 1), plane.bounding_box());
+    draw(&mut Card, at, &mut row, &mut plane, &window).unwrap();
+    let points = [0, 1].into_iter().flat_map(|y| (0..3).map(move |x| at + Point::new(x, y)));
+    assert_eq!(plane.0, points.collect::<Vec<_>>());
 }
 
 #[test]

@@ -137,9 +137,10 @@ where
     Ok(())
 }
 
-/// The part of the pixels `0..count`, the first of them at `at`, that lies in both areas.
+/// The part of the pixels `0..count`, the first of them at `at`, that lies in both areas, as far as points
+/// have coordinates.
 fn common(at: i32, count: u16, areas: [(i32, u32); 2]) -> Range<u16> {
-    let (mut start, mut end) = (0, i64::from(count));
+    let (mut start, mut end) = (0, i64::from(count).min((1 << 31) - i64::from(at)));
     for (low, length) in areas {
         let low = i64::from(low) - i64::from(at);
         start = start.max(low);
