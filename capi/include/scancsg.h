@@ -344,6 +344,7 @@ extern "C" {
 const char *scancsg_status_text(int32_t status);
 
 // Builds a scene from a table. `size` is `sizeof *scene`. The memory of a scene need not be set before.
+// Pictures of what was built there before must be made again, too: rows of old ones are wrong, without a code.
 //
 // `poses` are what `pose` of a step counts. They may be null if there are none. Operands that nothing combines
 // are united.
@@ -363,6 +364,7 @@ scancsg_status scancsg_scene_from_table(struct scancsg_scene *scene,
 
 // Builds a scene from the bytes of a program: the repository's `docs/program.md` has their format. `size` is
 // `sizeof *scene`.
+// Pictures of what was built there before must be made again, too: rows of old ones are wrong, without a code.
 //
 // Unless the status is `SCANCSG_STATUS_OK`, the scene isn't built.
 //

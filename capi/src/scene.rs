@@ -54,6 +54,7 @@ impl KeptScene {
 }
 
 /// Builds a scene from a table. `size` is `sizeof *scene`. The memory of a scene need not be set before.
+/// Pictures of what was built there before must be made again, too: rows of old ones are wrong, without a code.
 ///
 /// `poses` are what `pose` of a step counts. They may be null if there are none. Operands that nothing combines
 /// are united.
@@ -106,6 +107,7 @@ pub unsafe extern "C" fn scancsg_scene_from_table(
 
 /// Builds a scene from the bytes of a program: the repository's `docs/program.md` has their format. `size` is
 /// `sizeof *scene`.
+/// Pictures of what was built there before must be made again, too: rows of old ones are wrong, without a code.
 ///
 /// Unless the status is `SCANCSG_STATUS_OK`, the scene isn't built.
 ///

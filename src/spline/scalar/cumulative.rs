@@ -141,7 +141,8 @@ mod tests {
 
     /// How far a ratio is from the exact one, times the width: in units of its last place.
     fn error(part: u32, width: u32) -> f64 {
-        let got = ratio(&mut Divisor::NONE, part, width);
+        let mut divisor = Divisor::NONE;
+        let got = ratio(&mut divisor, part, width);
         let exact = i128::from(part) << BITS;
         (i128::from(got) * i128::from(width) - exact) as f64 / f64::from(width)
     }
