@@ -3,8 +3,8 @@
 //! The sum Cᵢ of the i-th basis function of a span and all behind it goes from 0 to 1, and a point is
 //! `P₀ + Σ Cᵢ·(Pᵢ − Pᵢ₋₁)` (M.-J. Kim, M.-S. Kim, S. Shin, *A general construction scheme for unit
 //! quaternion curves with simple high order derivatives*, SIGGRAPH 1995). De Boor's recurrence for the
-//! sums has positive terms only: `Cᵢ + (Cᵢ₋₁ − Cᵢ)·ratio`. The ratios don't depend on the coordinates,
-//! and the sum is rounded once.
+//! sums has positive terms only: `Cᵢ + (Cᵢ₋₁ − Cᵢ)·ratio`. The ratios don't depend on the coordinates.
+//! The point's sum is taken as `Σ (Cᵢ − Cᵢ₊₁)·Pᵢ`. It is exact, and rounded once.
 
 use crate::numeric::{product, short_product, unsigned_product, upper_product};
 use crate::scalar::integer::{leading_zeros, long_quotient};
@@ -12,8 +12,10 @@ use crate::scalar::integer::{leading_zeros, long_quotient};
 /// Fraction bits of a ratio and of a cumulative basis function. Both are from 0 to 1.
 const BITS: u32 = 44;
 
-/// How far such a number is shifted: its upper word has [`UPPER`] fraction bits, and its lower one 16 more.
+/// How far such a number is shifted in 64 bits. The lower word has 16 of its digits.
 const SHIFT: u32 = 16;
+
+/// The fraction bits of the upper word.
 const UPPER: u32 = BITS + SHIFT - 32;
 
 /// The upper and the lower word.
@@ -22,7 +24,7 @@ const fn words(x: u64) -> [u32; 2] {
     [(x >> 32) as u32, x as u32]
 }
 
-/// `a · b`, rounded.
+/// `a · b`, rounded to 44 fraction bits.
 #[inline]
 const fn part_of(a: u64, b: u64) -> u64 {
     let ([a, a_low], [b, b_low]) = (words(a), words(b));
@@ -99,8 +101,8 @@ fn ratio(divisor: &mut Divisor, part: u32, width: u32) -> u64 {
     divisor.ratio(part)
 }
 
-/// The cumulative basis functions of a span, given the K knots from its beginning
-/// backwards, in ascending order, and those from its end on.
+/// The cumulative basis functions of a span, given the K knots from its beginning backwards, in
+/// ascending order, and those from its end on; for a parameter on the span.
 #[inline]
 fn cumulative<const K: usize>([low, high]: [&[i32; K]; 2], t: i32) -> [u64; K] {
     let mut divisor = Divisor::NONE;
@@ -208,6 +210,24 @@ mod tests {
         for shift in 0..30 {
             for width in [2u32 << shift, 6 << shift.min(28), 0x7fff_fffe, u32::MAX - 1] {
                 assert_eq!(error(width / 2, width), 0.0);
+            }
+        }
+    }
+
+    proptest! {
+        /// No product is cut off before the sum is rounded.
+        #[test]
+        fn means_are_exact_sums(any: [i32; 4], small: [i8; 4], ends: [i32; 2], from in 0..=1u32 << 30) {
+            let [low, high] = [ends[0].min(ends[1]) >> 1, (ends[0].max(ends[1]) >> 1) + 1];
+            let part = (u64::from(high.abs_diff(low)) * u64::from(from)) >> 30;
+            let weights = weights([&[low; 4], &[high; 4]], low + part as i32);
+            let exact = |(upper, lower): (i32, u16)| i128::from(upper) << SHIFT | i128::from(lower);
+            prop_assert_eq!(weights.iter().map(|weight| exact(*weight)).sum::<i128>(), 1 << BITS);
+            for points in [any, small.map(i32::from), any.map(|x| if x < 0 { i32::MIN } else { i32::MAX })] {
+                let terms = points.iter().zip(weights);
+                let sum: i128 = terms.map(|(x, weight)| i128::from(*x) * exact(weight)).sum();
+                let rounded = (sum + (1 << (BITS - 1))) >> BITS;
+                prop_assert_eq!(i128::from(mean(points.into_iter().zip(weights))), rounded);
             }
         }
     }
