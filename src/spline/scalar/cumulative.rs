@@ -49,7 +49,7 @@ impl Divisor {
 
     /// Shift and inverse of a width from 1 to 2³¹ − 1.
     #[inline(never)]
-    const fn new(width: u32) -> (u32, i32) {
+    const fn shift_and_inverse(width: u32) -> (u32, i32) {
         let shift = leading_zeros(width as u64).wrapping_sub(33) & 31;
         // 48/17 − 32/17·x is 1/x but for 1/17 of it, for x from 1/2 to 1. Newton's step squares that.
         let x = (width << shift).cast_signed() >> 15;
@@ -95,7 +95,7 @@ fn ratio(divisor: &mut Divisor, part: u32, width: u32) -> u64 {
     }
     // Knots are at equal distances often.
     if width != divisor.width {
-        let (shift, inverse) = Divisor::new(width);
+        let (shift, inverse) = Divisor::shift_and_inverse(width);
         *divisor = Divisor { width, shift, inverse };
     }
     divisor.ratio(part)
@@ -156,7 +156,8 @@ mod tests {
 
     /// How far a ratio is from the exact one, times the width: in units of its last place.
     fn error(part: u32, width: u32) -> f64 {
-        let got = ratio(&mut Divisor::NONE, part, width);
+        let mut divisor = Divisor::NONE;
+        let got = ratio(&mut divisor, part, width);
         let exact = i128::from(part) << BITS;
         let got = i128::from(got >> SHIFT);
         (got * i128::from(width) - exact) as f64 / f64::from(width)
