@@ -23,6 +23,20 @@ pub(super) const fn signed_product(a: i32, b: i32) -> i64 {
     product.wrapping_sub((too_much.cast_unsigned() as u64) << 32).cast_signed()
 }
 
+/// `a · b`.
+#[inline]
+pub(super) const fn short_product(a: i32, b: u16) -> i64 {
+    let upper = (a >> 16).wrapping_mul(b as i32) as i64;
+    let lower = (a.cast_unsigned() & 0xffff).wrapping_mul(b as u32);
+    (upper << 16).wrapping_add(lower as i64)
+}
+
+/// `a · b / 2¹⁶`, cut off, for b below 2¹⁶.
+#[inline]
+pub(super) const fn upper_product(a: u32, b: u32) -> u32 {
+    ((a >> 16).wrapping_mul(b)).wrapping_add(((a & 0xffff).wrapping_mul(b)) >> 16)
+}
+
 /// `a · b`: halves that are zero cost nothing, as those before the point of numbers below 1.
 #[inline]
 pub(super) const fn long_product(a: i64, b: i64) -> i128 {
@@ -94,6 +108,10 @@ mod tests {
             prop_assert_eq!(signed_product(a, b), i64::from(a) * i64::from(b));
             let (x, y) = (a.cast_unsigned(), b.cast_unsigned());
             prop_assert_eq!(unsigned_product(x, y), u64::from(x) * u64::from(y));
+            let short = y as u16;
+            prop_assert_eq!(short_product(a, short), i64::from(a) * i64::from(short));
+            let upper = (u64::from(x) * u64::from(short)) >> 16;
+            prop_assert_eq!(upper_product(x, short.into()), upper as u32);
             for (a, b) in [(step, other), (step, other >> 40), (step >> 40, step >> 20)] {
                 prop_assert_eq!(long_product(a, b), i128::from(a) * i128::from(b));
             }

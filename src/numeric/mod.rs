@@ -20,5 +20,7 @@ pub(crate) use error_free::two_sum;
 pub use native::{Loggable, Native};
 pub(crate) use products::{add_product, dot3, product_difference};
 pub(crate) use root::sqrt as const_sqrt;
-pub(crate) use select::{SATURATES_TO_I32, long_product, product, steps, unsigned_product};
+pub(crate) use select::{
+    SATURATES_TO_I32, long_product, product, short_product, steps, unsigned_product, upper_product,
+};
 pub(crate) use sine::{sin_cos_of_part, sin_cos_of_quarters};

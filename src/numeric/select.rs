@@ -65,6 +65,24 @@ pub(crate) const fn unsigned_product(a: u32, b: u32) -> u64 {
 
 /// `a · b`.
 #[inline]
+pub(crate) const fn short_product(a: i32, b: u16) -> i64 {
+    match CORE {
+        Core::Narrow => armv6m::short_product(a, b),
+        _ => a as i64 * b as i64,
+    }
+}
+
+/// `a · b / 2¹⁶`, cut off, for b below 2¹⁶.
+#[inline]
+pub(crate) const fn upper_product(a: u32, b: u32) -> u32 {
+    match CORE {
+        Core::Narrow => armv6m::upper_product(a, b),
+        _ => ((a as u64 * (b << 16) as u64) >> 32) as u32,
+    }
+}
+
+/// `a · b`.
+#[inline]
 pub(crate) const fn long_product(a: i64, b: i64) -> i128 {
     match CORE {
         Core::Narrow => armv6m::long_product(a, b),

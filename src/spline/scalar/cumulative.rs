@@ -3,85 +3,87 @@
 //! The sum Cᵢ of the i-th basis function of a span and all behind it goes from 0 to 1, and a point is
 //! `P₀ + Σ Cᵢ·(Pᵢ − Pᵢ₋₁)` (M.-J. Kim, M.-S. Kim, S. Shin, *A general construction scheme for unit
 //! quaternion curves with simple high order derivatives*, SIGGRAPH 1995). De Boor's recurrence for the
-//! sums has positive terms only: `Cᵢ + (Cᵢ₋₁ − Cᵢ)·ratio`. The ratios don't depend on the coordinates,
-//! and the sum is rounded once.
+//! sums has positive terms only: `Cᵢ + (Cᵢ₋₁ − Cᵢ)·ratio`. The ratios don't depend on the coordinates.
+//! The point's sum is taken as `Σ (Cᵢ − Cᵢ₊₁)·Pᵢ`. It is exact, and rounded once.
 
-use crate::numeric::unsigned_product;
+use crate::numeric::{product, short_product, unsigned_product, upper_product};
 use crate::scalar::integer::{leading_zeros, long_quotient};
 
 /// Fraction bits of a ratio and of a cumulative basis function. Both are from 0 to 1.
 const BITS: u32 = 44;
 
-/// The fraction bits of the upper part of such a number; the lower part has 16 bits.
-const UPPER: u32 = BITS - 16;
+/// How far such a number is shifted in 64 bits. The lower word has 16 of its digits.
+const SHIFT: u32 = 16;
 
-/// The upper and the lower part.
+/// The fraction bits of the upper word.
+const UPPER: u32 = BITS + SHIFT - 32;
+
+/// The upper and the lower word.
 #[inline]
-const fn parts(x: u64) -> [u32; 2] {
-    [(x >> 16) as u32, x as u32 & 0xffff]
+const fn words(x: u64) -> [u32; 2] {
+    [(x >> 32) as u32, x as u32]
 }
 
-/// `a · b / 2¹⁶`, cut off, for b below 2¹⁶.
+/// `a · b`, rounded to 44 fraction bits.
 #[inline]
-const fn upper_product(a: u32, b: u32) -> u32 {
-    ((a >> 16).wrapping_mul(b)).wrapping_add(((a & 0xffff).wrapping_mul(b)) >> 16)
-}
-
-/// `a · b`, rounded.
-#[inline(never)]
-const fn product(a: u64, b: u64) -> u64 {
-    let ([a, a_low], [b, b_low]) = (parts(a), parts(b));
-    let lower = upper_product(a, b_low).wrapping_add(upper_product(b, a_low));
-    let half = 1 << (UPPER - 17);
-    (unsigned_product(a, b).wrapping_add(lower as u64).wrapping_add(half)) >> (2 * UPPER - BITS)
+const fn part_of(a: u64, b: u64) -> u64 {
+    let ([a, a_low], [b, b_low]) = (words(a), words(b));
+    let half = 1 << (2 * UPPER - BITS - 1);
+    let lower = upper_product(a, b_low >> SHIFT).wrapping_add(upper_product(b, a_low >> SHIFT));
+    let product = unsigned_product(a, b).wrapping_add(lower.wrapping_add(half) as u64);
+    (product >> (2 * UPPER - BITS)) << SHIFT
 }
 
 /// What parts of one width are divided by.
 struct Divisor {
     width: u32,
-    /// The width, shifted to 2³⁰ and more.
-    normal: i32,
+    /// How far the width is shifted to be 2³⁰ and more.
     shift: u32,
-    /// 2⁴⁵ / `normal`, but for a unit: from 2¹⁴ to 2¹⁵.
+    /// 2⁴⁵ / the shifted width, but for a unit: from 2¹⁴ to 2¹⁵.
     inverse: i32,
 }
 
 impl Divisor {
     /// Before there is a width: ratios are 0.
-    const NONE: Self = Self { width: 0, normal: 0, shift: 0, inverse: 0 };
+    const NONE: Self = Self { width: 0, shift: 0, inverse: 0 };
 
-    /// Of a width from 1 to 2³¹ − 1.
+    /// Shift and inverse of a width from 1 to 2³¹ − 1.
     #[inline(never)]
-    const fn new(width: u32) -> Self {
+    const fn shift_and_inverse(width: u32) -> (u32, i32) {
         let shift = leading_zeros(width as u64).wrapping_sub(33) & 31;
-        let normal = (width << shift).cast_signed();
         // 48/17 − 32/17·x is 1/x but for 1/17 of it, for x from 1/2 to 1. Newton's step squares that.
-        let x = normal >> 15;
+        let x = (width << shift).cast_signed() >> 15;
         let seed = 46_261 - ((x * 30_841) >> 16);
         let missing = (1 << 30) - x * seed;
         let inverse = seed + (((missing >> 15) * seed) >> 15);
         let missing = (1 << 30) - x * inverse;
-        let inverse = inverse + (((missing >> 12) * inverse + (1 << 17)) >> 18);
-        Self { width, normal, shift, inverse }
+        (shift, inverse + (((missing >> 12) * inverse + (1 << 17)) >> 18))
     }
 
     /// `part / width`, for a part that is not larger than the width.
-    ///
-    /// Four digits of 12 bits, each from the upper bits of the rest. They have signs: a digit that is
-    /// off leaves a rest of at most 0.7 of the width, and the next digit makes up for it.
-    #[inline(never)]
+    #[inline]
     const fn ratio(&self, part: u32) -> u64 {
-        let (mut rest, mut pairs) = ((part << self.shift).cast_signed(), [0i32; 2]);
-        let mut i = 0;
-        while i < 4 {
-            let digit = ((rest >> 15).wrapping_mul(self.inverse).wrapping_add(1 << 17)) >> 18;
-            rest = (rest << 12).wrapping_sub(digit.wrapping_mul(self.normal));
-            pairs[i / 2] = (pairs[i / 2] << 12).wrapping_add(digit);
-            i += 1;
-        }
-        let rounded = (pairs[1] + (1 << (47 - BITS))) >> (48 - BITS);
-        ((pairs[0] as i64) << (BITS - 24)).wrapping_add(rounded as i64).cast_unsigned()
+        let shift = self.shift & 31;
+        digits((part << shift).cast_signed(), (self.width << shift).cast_signed(), self.inverse)
     }
+}
+
+/// The ratio of a part and a width that are shifted.
+///
+/// Four digits of 12 bits, each from the upper bits of the rest. They have signs: a digit that is off
+/// leaves a rest of at most 0.7 of the width, and the next digit makes up for it.
+#[inline(never)]
+const fn digits(mut rest: i32, width: i32, inverse: i32) -> u64 {
+    let (mut pairs, mut i) = ([0i32; 2], 0);
+    while i < 4 {
+        let digit = ((rest >> 15).wrapping_mul(inverse).wrapping_add(1 << 17)) >> 18;
+        rest = (rest << 12).wrapping_sub(digit.wrapping_mul(width));
+        pairs[i / 2] = (pairs[i / 2] << 12).wrapping_add(digit);
+        i += 1;
+    }
+    let rounded = (pairs[1] + (1 << (47 - BITS))) >> (48 - BITS);
+    let upper = (pairs[0] << (UPPER - 24)).wrapping_add(rounded >> SHIFT);
+    (upper.cast_unsigned() as u64) << 32 | (rounded << SHIFT).cast_unsigned() as u64
 }
 
 /// Where the parameter is between two knots.
@@ -89,49 +91,62 @@ impl Divisor {
 fn ratio(divisor: &mut Divisor, part: u32, width: u32) -> u64 {
     // So wide are knots at opposite ends of the range only.
     if width >> 31 != 0 {
-        return long_quotient(u128::from(part) << BITS, width.into());
+        return long_quotient(u128::from(part) << BITS, width.into()) << SHIFT;
     }
     // Knots are at equal distances often.
     if width != divisor.width {
-        *divisor = Divisor::new(width);
+        let (shift, inverse) = Divisor::shift_and_inverse(width);
+        *divisor = Divisor { width, shift, inverse };
     }
     divisor.ratio(part)
 }
 
-/// The cumulative basis functions of a span as their parts, given the K knots from its beginning
-/// backwards, in ascending order, and those from its end on.
+/// The cumulative basis functions of a span, given the K knots from its beginning backwards, in
+/// ascending order, and those from its end on; for a parameter on the span.
 #[inline]
-pub(super) fn cumulative<const K: usize>([low, high]: [&[i32; K]; 2], t: i32) -> [[u32; 2]; K] {
+fn cumulative<const K: usize>([low, high]: [&[i32; K]; 2], t: i32) -> [u64; K] {
     let mut divisor = Divisor::NONE;
     let mut sums = [0u64; K];
     if let Some(first) = sums.first_mut() {
-        *first = 1 << BITS;
+        *first = 1 << (BITS + SHIFT);
     }
     for level in (1..K).rev() {
         for i in (0..K - level).rev() {
             let (Some(&low), Some(&high)) = (low.get(i + level), high.get(i)) else { break };
-            let ratio = ratio(&mut divisor, t.abs_diff(low), high.abs_diff(low));
+            let [part, width] = [t, high].map(|x| x.wrapping_sub(low).cast_unsigned());
+            let ratio = ratio(&mut divisor, part, width);
             if let Some([before, own]) = sums.get_mut(i..i + 2) {
                 let way = before.wrapping_sub(*own);
                 let is_one = level == K - 1;
-                *own = own.wrapping_add(if is_one { ratio } else { product(way, ratio) });
+                *own = own.wrapping_add(if is_one { ratio } else { part_of(way, ratio) });
             }
         }
     }
-    sums.map(parts)
+    sums
 }
 
-/// The mean of coordinates with cumulative weights.
+/// What the coordinates of a span's control points are multiplied with: an upper part, and a lower one
+/// of 16 bits.
 #[inline]
-pub(super) fn mean(first: i32, others: impl Iterator<Item = (i32, [u32; 2])>) -> i32 {
-    let (mut sum, mut before) = (1u64 << (UPPER - 1), first);
-    for (own, [upper, lower]) in others {
-        let way = own.abs_diff(before);
-        let part = unsigned_product(way, upper).wrapping_add(upper_product(way, lower).into());
-        sum = if own < before { sum.wrapping_sub(part) } else { sum.wrapping_add(part) };
-        before = own;
+pub(super) fn weights<const K: usize>(knots: [&[i32; K]; 2], t: i32) -> [(i32, u16); K] {
+    let sums = cumulative(knots, t);
+    core::array::from_fn(|i| {
+        let at = |i| sums.get(i).copied().unwrap_or(0);
+        let weight = at(i).wrapping_sub(at(i + 1));
+        let [upper, lower] = words(weight);
+        (upper.cast_signed(), (lower >> SHIFT) as u16)
+    })
+}
+
+/// The mean of coordinates with such weights.
+#[inline]
+pub(super) fn mean(coordinates: impl Iterator<Item = (i32, (i32, u16))>) -> i32 {
+    let (mut upper, mut lower) = (1 << (UPPER - 1), 0i64);
+    for (x, weight) in coordinates {
+        upper = product(x, weight.0).wrapping_add(upper);
+        lower = short_product(x, weight.1).wrapping_add(lower);
     }
-    first.wrapping_add((sum.cast_signed() >> UPPER) as i32)
+    (upper.wrapping_add(lower >> SHIFT) >> UPPER) as i32
 }
 
 #[cfg(test)]
@@ -144,7 +159,8 @@ mod tests {
         let mut divisor = Divisor::NONE;
         let got = ratio(&mut divisor, part, width);
         let exact = i128::from(part) << BITS;
-        (i128::from(got) * i128::from(width) - exact) as f64 / f64::from(width)
+        let got = i128::from(got >> SHIFT);
+        (got * i128::from(width) - exact) as f64 / f64::from(width)
     }
 
     proptest! {
@@ -168,10 +184,10 @@ mod tests {
         fn products_round(a in 0..=1u64 << BITS, b in 0..=1u64 << BITS, shift in 0..BITS) {
             for (a, b) in [(a, b), (a >> shift, b), (1 << BITS, b), (a, 1 << BITS)] {
                 let exact = (u128::from(a) * u128::from(b)) as f64 / 2f64.powi(BITS as i32);
-                let error = product(a, b) as f64 - exact;
+                let error = (part_of(a << SHIFT, b << SHIFT) >> SHIFT) as f64 - exact;
                 prop_assert!(error.abs() < 0.51, "{a} · {b}: {error}");
             }
-            prop_assert_eq!(product(1 << BITS, b), b);
+            prop_assert_eq!(part_of(1 << (BITS + SHIFT), b << SHIFT), b << SHIFT);
         }
     }
 
@@ -195,6 +211,24 @@ mod tests {
         for shift in 0..30 {
             for width in [2u32 << shift, 6 << shift.min(28), 0x7fff_fffe, u32::MAX - 1] {
                 assert_eq!(error(width / 2, width), 0.0);
+            }
+        }
+    }
+
+    proptest! {
+        /// No product is cut off before the sum is rounded.
+        #[test]
+        fn means_are_exact_sums(any: [i32; 4], small: [i8; 4], ends: [i32; 2], from in 0..=1u32 << 30) {
+            let [low, high] = [ends[0].min(ends[1]) >> 1, (ends[0].max(ends[1]) >> 1) + 1];
+            let part = (u64::from(high.abs_diff(low)) * u64::from(from)) >> 30;
+            let weights = weights([&[low; 4], &[high; 4]], low + part as i32);
+            let exact = |(upper, lower): (i32, u16)| i128::from(upper) << SHIFT | i128::from(lower);
+            prop_assert_eq!(weights.iter().map(|weight| exact(*weight)).sum::<i128>(), 1 << BITS);
+            for points in [any, small.map(i32::from), any.map(|x| if x < 0 { i32::MIN } else { i32::MAX })] {
+                let terms = points.iter().zip(weights);
+                let sum: i128 = terms.map(|(x, weight)| i128::from(*x) * exact(weight)).sum();
+                let rounded = (sum + (1 << (BITS - 1))) >> BITS;
+                prop_assert_eq!(i128::from(mean(points.into_iter().zip(weights))), rounded);
             }
         }
     }

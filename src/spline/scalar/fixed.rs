@@ -1,7 +1,7 @@
 //! Splines in fixed point: integers with guard bits, rounded once.
 
 use super::Arithmetic;
-use super::cumulative::{cumulative, mean};
+use super::cumulative::{mean, weights};
 use crate::scalar::integer::{divide, narrow, shift_right};
 use crate::scalar::{ConstOps, FixedI32, Fraction};
 use core::fmt::Debug;
@@ -145,12 +145,11 @@ impl<F: Fraction> Arithmetic for FixedI32<F> {
         t: Self,
     ) -> Option<A> {
         let [low, high] = knots.map(|knots| knots.map(Self::to_bits));
-        let (points, sums) = (points(), cumulative([&low, &high], t.to_bits()));
+        let (points, weights) = (points(), weights([&low, &high], t.to_bits()));
         let mut point = *points.first()?;
         for (i, x) in point.as_mut().iter_mut().enumerate() {
             let of = |point: &A| point.as_ref().get(i).map_or(0, |x| x.to_bits());
-            let others = points.iter().map(of).zip(sums).skip(1);
-            *x = Self::from_bits(mean(x.to_bits(), others));
+            *x = Self::from_bits(mean(points.iter().map(of).zip(weights)));
         }
         Some(point)
     }
