@@ -144,9 +144,9 @@ impl TypedValueParser for SceneOrFile {
                     .map(|name| name.get_name().into())
                     .collect();
                 let message = format!(
-                    "`{}` is neither a scene nor a file; the scenes are {}\n",
+                    "`{}` is neither a scene nor a file; the scenes are\n  {}\n",
                     value.display(),
-                    names.join(", ")
+                    wrapped(&names)
                 );
                 Err(clap::Error::raw(ErrorKind::InvalidValue, message).with_cmd(command))
             }
@@ -215,4 +215,21 @@ fn size(text: &str) -> Result<Size, String> {
             .ok_or_else(|| format!("`{text}` is not a number of pixels between 1 and 4096"))
     };
     Size::new(number(width)?, number(height)?).map_err(|error| error.to_string())
+}
+
+/// Names in lines of at most 78 columns.
+fn wrapped(names: &[String]) -> String {
+    let (mut text, mut column) = (String::new(), 0);
+    for name in names {
+        let comma = if text.is_empty() { "" } else { ", " };
+        text += comma;
+        column += comma.len() + name.len();
+        if column > 76 {
+            text.truncate(text.trim_end().len());
+            text += "\n  ";
+            column = name.len();
+        }
+        text += name;
+    }
+    text
 }

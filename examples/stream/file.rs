@@ -30,7 +30,13 @@ pub fn read(path: &Path) -> Result<(Vec<u8>, Number), String> {
         fs::read(path).map_err(|error| format!("can't read {}: {error}", path.display()))?;
     let code = match bytes.get(..4) {
         Some([b'S', b'P', _, code]) => *code,
-        _ => return Err(format!("{}: {}", path.display(), BytesError::Magic)),
+        _ => {
+            return Err(format!(
+                "{}: {}; `scancsg-scad --program` makes one of an OpenSCAD part",
+                path.display(),
+                BytesError::Magic
+            ));
+        }
     };
     let number = match code {
         32 => Number::F32,

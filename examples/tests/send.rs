@@ -120,7 +120,7 @@ fn a_file_that_is_none_says_what_is_wrong() {
     let endless = Program::<HalfSpace<f32>, 1>::new(half_space);
     let mut buffer = [0; 64];
     let cases: [(String, &[&str], &str); 8] = [
-        ("nonesuch".into(), &[], "neither a scene nor a file; the scenes are tee, pipe"),
+        ("nonesuch".into(), &[], "neither a scene nor a file; the scenes are\n  tee, pipe"),
         (written("empty.scene", &[]), &[], "no program"),
         (written("text.scene", b"cube([1, 2, 3]);"), &[], "no program"),
         (written("version.scene", &with(2, 99)), &[], "another version"),

@@ -66,7 +66,7 @@ pub struct Options {
     #[arg(long, value_name = "DEVICE")]
     port: Option<String>,
     /// Bits per second of the line to the device.
-    #[arg(long, value_name = "BAUD", default_value_t = 115_200)]
+    #[arg(long, value_name = "BAUD", default_value_t = 115_200, requires = "port")]
     baud: u32,
     /// Goes on without what isn't modelled, and says what that is.
     #[arg(long)]
