@@ -13,8 +13,10 @@ use std::cell::Cell;
 
 for_every_number!(convex_solids_are_left, placed_solids_are_left, cut_solids_are_left);
 
-/// Rays a solid and number type.
-const CASES: u32 = 2000;
+/// Rays a solid and number type; more where `SCANCSG_CASES` says so.
+fn cases() -> u32 {
+    std::env::var("SCANCSG_CASES").ok().map_or(2000, |cases| cases.parse().unwrap())
+}
 
 type V = [f64; 3];
 
@@ -89,7 +91,7 @@ where
 
 fn convex_solids_are_left<S: Tested>() {
     let met = Cell::new(0);
-    proptest!(ProptestConfig::with_cases(CASES), |(
+    proptest!(ProptestConfig::with_cases(cases()), |(
         center in place::<S>(), size in length(), to in direction::<S>(), aim in aim::<S>(),
     )| {
         let [c, r] = [vector::<S>(center), vector([size, size, size])];
@@ -126,13 +128,13 @@ fn convex_solids_are_left<S: Tested>() {
             check(&prism, at, aim, &met)?;
         }
     });
-    assert!(met.get() > 5 * CASES, "{met:?}");
+    assert!(met.get() > 5 * cases(), "{met:?}");
 }
 
 /// Turned, a solid's faces are known as well as its size allows: `leave` is told how large it is.
 fn placed_solids_are_left<S: Tested>() {
     let met = Cell::new(0);
-    proptest!(ProptestConfig::with_cases(CASES), |(
+    proptest!(ProptestConfig::with_cases(cases()), |(
         half in prop_oneof![0.1..2.0, 2.0..100.0], axis in direction::<S>(), angle in -3.0..3.0,
         (way, off, on) in aim::<S>(),
     )| {
@@ -156,13 +158,13 @@ fn placed_solids_are_left<S: Tested>() {
         let again = solid.hit(&next, &mut list);
         prop_assert!(again.is_none(), "{:?} behind {:?}", again, hit);
     });
-    assert!(met.get() > CASES / 5, "{met:?}");
+    assert!(met.get() > cases() / 5, "{met:?}");
 }
 
 /// In a bore, what is met next lies on the chord: never at the start.
 fn cut_solids_are_left<S: Tested>() {
     let met = Cell::new(0);
-    proptest!(ProptestConfig::with_cases(CASES), |(
+    proptest!(ProptestConfig::with_cases(cases()), |(
         center in place::<S>(), size in length(), (way, off, on) in aim::<S>(),
     )| {
         let [x, y, z] = vector::<S>(center).to_array();
@@ -173,7 +175,7 @@ fn cut_solids_are_left<S: Tested>() {
         check_next(&ring, (center, size), (way, off, on), &met)?;
         check_next(&tube, (center, size), (way, off, on), &met)?;
     });
-    assert!(met.get() > CASES / 20, "{met:?}");
+    assert!(met.get() > cases() / 20, "{met:?}");
 }
 
 /// From outside of a solid that isn't convex, and not too flat: the next face is some way off.
