@@ -11,15 +11,18 @@ use std::path::Path;
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
 /// Not values, but memory of something under way: it borrows other memory, or holds a solid's stages.
-const STATE: [&str; 19] = [
+const STATE: [&str; 23] = [
     "Assembler",
     "Decoder",
     "Dithered",
     "GroupRow",
+    "Inbox",
     "LeafRow",
     "Line",
     "Member",
     "Memory",
+    "OfFixed",
+    "OfFloat",
     "Picture",
     "Predictive",
     "PredictiveMono",
@@ -31,6 +34,7 @@ const STATE: [&str; 19] = [
     "SmoothColumn",
     "SmoothPicture",
     "Smoothing",
+    "Upload",
 ];
 
 /// Files whose own declarations are public, besides every `mod.rs` of a public module.
