@@ -76,7 +76,7 @@
 
 #if (defined(SCANCSG_I16F16) && defined(SCANCSG_TORUS))
 // What a picture needs for a part, in words of eight bytes.
-#define SCANCSG_PART_WORDS 62
+#define SCANCSG_PART_WORDS 64
 #endif
 
 // What a function returns: `SCANCSG_STATUS_OK`, or why it did nothing.

@@ -64,7 +64,7 @@ pub const PART_WORDS: usize = 55;
 pub const PART_WORDS: usize = 42;
 /// What a picture needs for a part, in words of eight bytes.
 #[cfg(all(feature = "i16f16", feature = "torus"))]
-pub const PART_WORDS: usize = 62;
+pub const PART_WORDS: usize = 64;
 
 /// Renders columns of a row of a picture into their bytes.
 type Render = unsafe fn(*mut Head, u16, Range<u16>, Format, &mut [u8]) -> Result<(), Status>;
