@@ -14,7 +14,9 @@ pub(crate) const fn sin_cos_of_quarters(turned: i128) -> (i64, i64) {
         const ONE: i64 = 1 << 62;
         let mut sum = ONE;
         while let [factor, others @ ..] = factors {
-            sum = ONE - times(square, sum) / *factor;
+            // No factor is zero, but whether the compiler sees that depends on what it inlines.
+            let Some(part) = times(square, sum).checked_div(*factor) else { break };
+            sum = ONE - part;
             factors = others;
         }
         sum
