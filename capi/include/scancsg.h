@@ -52,13 +52,6 @@
 #define SCANCSG_POSES 16
 #endif
 
-// The size of a scene, in words of eight bytes. It is another one for other options, so that a header that
-// doesn't fit the library is found out.
-#define SCANCSG_SCENE_WORDS (((SCANCSG_PARTS * 8) + (SCANCSG_POSES * 6)) + SCANCSG_PART_WORDS)
-
-// The size of a picture, in words of eight bytes.
-#define SCANCSG_PICTURE_WORDS ((SCANCSG_PARTS * SCANCSG_PART_WORDS) + 48)
-
 #if !(defined(SCANCSG_I16F16) || defined(SCANCSG_TORUS))
 // What a picture needs for a part, in words of eight bytes.
 #define SCANCSG_PART_WORDS 30
@@ -78,6 +71,13 @@
 // What a picture needs for a part, in words of eight bytes.
 #define SCANCSG_PART_WORDS 64
 #endif
+
+// The size of a scene, in words of eight bytes. It is another one for other options, so that a header that
+// doesn't fit the library is found out.
+#define SCANCSG_SCENE_WORDS (((SCANCSG_PARTS * 8) + (SCANCSG_POSES * 6)) + SCANCSG_PART_WORDS)
+
+// The size of a picture, in words of eight bytes.
+#define SCANCSG_PICTURE_WORDS ((SCANCSG_PARTS * SCANCSG_PART_WORDS) + 48)
 
 // What a function returns: `SCANCSG_STATUS_OK`, or why it did nothing.
 //

@@ -19,6 +19,7 @@
 extern crate std;
 
 mod border;
+pub mod capacity;
 mod lent;
 pub mod number;
 pub mod packet;

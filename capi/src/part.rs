@@ -1,7 +1,7 @@
 //! What scenes are made of, and the programs that they are.
 
+use crate::capacity::{PARTS, POSES};
 use crate::number::Scalar;
-use crate::scene::{PARTS, POSES};
 use scancsg::program;
 
 macro_rules! part {

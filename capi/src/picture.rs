@@ -1,11 +1,12 @@
 //! Pictures: what a camera sees of a scene, row by row.
 
 use crate::border::{self, Kept, Plain};
+use crate::capacity::{PART_WORDS, PARTS};
 use crate::lent::{Fill, Lent};
 use crate::number::{Number, Scalar, scalar, vector};
 use crate::part::Program;
 use crate::pixels::{Format, Lit};
-use crate::scene::{KeptScene, PARTS, Scene};
+use crate::scene::{KeptScene, Scene};
 use crate::status::Status;
 use core::cell::Cell;
 use core::ops::Range;
@@ -52,19 +53,6 @@ pub struct Picture {
 
 /// The size of a picture, in words of eight bytes.
 pub const PICTURE_WORDS: usize = PARTS * PART_WORDS + 48;
-
-/// What a picture needs for a part, in words of eight bytes.
-#[cfg(not(any(feature = "i16f16", feature = "torus")))]
-pub const PART_WORDS: usize = 30;
-/// What a picture needs for a part, in words of eight bytes.
-#[cfg(all(feature = "i16f16", not(feature = "torus")))]
-pub const PART_WORDS: usize = 55;
-/// What a picture needs for a part, in words of eight bytes.
-#[cfg(all(feature = "torus", not(feature = "i16f16")))]
-pub const PART_WORDS: usize = 42;
-/// What a picture needs for a part, in words of eight bytes.
-#[cfg(all(feature = "i16f16", feature = "torus"))]
-pub const PART_WORDS: usize = 64;
 
 /// Renders columns of a row of a picture into their bytes.
 type Render = unsafe fn(*mut Head, u16, Range<u16>, Format, &mut [u8]) -> Result<(), Status>;

@@ -1,24 +1,10 @@
 //! Scenes: programs in the caller's memory.
 
 use crate::border::{self, Kept};
+use crate::capacity::{PART_WORDS, PARTS, POSES};
 use crate::part::Program;
-use crate::picture::PART_WORDS;
 use crate::status::Status;
 use crate::table::{self, Motion, Step};
-
-/// The most parts of a scene.
-#[cfg(not(feature = "parts-64"))]
-pub const PARTS: usize = 16;
-/// The most parts of a scene.
-#[cfg(feature = "parts-64")]
-pub const PARTS: usize = 64;
-
-/// The most poses of a scene.
-#[cfg(not(feature = "parts-64"))]
-pub const POSES: usize = 4;
-/// The most poses of a scene.
-#[cfg(feature = "parts-64")]
-pub const POSES: usize = 16;
 
 /// The memory of a scene: a variable of this type, or an allocation of its size, is all that a scene needs.
 /// Its contents are the library's own. It may be moved while no picture of it is

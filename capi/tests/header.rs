@@ -9,7 +9,8 @@ fn the_header_is_current() {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
     let config = cbindgen::Config::from_file(package.join("cbindgen.toml")).unwrap();
     // In the order of the header.
-    let files = ["status", "number", "table", "scene", "pixels", "picture", "ray", "packet"];
+    let files =
+        ["status", "number", "table", "capacity", "scene", "pixels", "picture", "ray", "packet"];
     let builder = files.iter().fold(cbindgen::Builder::new(), |builder, file| {
         builder.with_src(package.join("src").join(file).with_extension("rs"))
     });

@@ -1,6 +1,6 @@
 //! What a number type of scenes can do.
 
-use super::fixed::Wide;
+use super::fixed::wide::Wide;
 use super::grid::Grid;
 use super::kind::ByKind;
 use super::number::{Number, Real};

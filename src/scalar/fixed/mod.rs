@@ -5,7 +5,7 @@
 
 mod const_ops;
 mod scale;
-mod wide;
+pub(super) mod wide;
 
 pub use ::fixed::FixedI32;
 pub use ::fixed::types::I16F16;
