@@ -58,11 +58,28 @@ where
 /// About the distance of neighbouring pixels in the pictures here.
 const PITCH: f64 = 0.14;
 
+/// The spans without gaps and then without spans shorter than this.
+fn without_grazes(spans: &Spans, shortest: f64) -> Spans {
+    let mut kept = Spans::new();
+    for &[enter, exit] in spans {
+        match kept.last_mut() {
+            Some(last) if enter - last[1] < shortest => last[1] = exit,
+            _ => kept.push([enter, exit]),
+        }
+    }
+    kept.retain(|[enter, exit]| exit - enter >= shortest);
+    kept
+}
+
 /// Two pictures are the same, but for what rounding moves: an end moves as much more than its ray as the face
 /// is steep there, which the neighbours of a pixel tell. Pixels whose neighbours have another number of spans
-/// are at an edge: they are left out. Returns how many spans were compared.
-fn same(one: &[Spans], other: &[Spans], within: f64) -> Result<u32, TestCaseError> {
+/// are at an edge: they are left out. Where two pixels differ in their number of spans, one of them grazes a
+/// face. Returns how many spans were compared.
+fn same<S: Tested>(one: &[Spans], other: &[Spans], within: f64) -> Result<u32, TestCaseError> {
     let side = usize::from(SIZE);
+    // The chord at a depth h in a circle of radius r is 2 √(2 r h). Rounding moves a ray by a few units. An
+    // ellipsoid is nowhere flatter than a ball of a²/b: 8 at a scale of 0.5 to 2, 16 with shear.
+    let grazing = 2.0 * (2.0 * 16.0 * 4.0 * S::UNIT).sqrt();
     let mut count = 0;
     for y in 1..side - 1 {
         for x in 1..side - 1 {
@@ -72,7 +89,11 @@ fn same(one: &[Spans], other: &[Spans], within: f64) -> Result<u32, TestCaseErro
             if around.iter().any(|spans| spans.len() != these.len()) {
                 continue;
             }
-            prop_assert_eq!(these.len(), those.len(), "pixel {}, {}", x, y);
+            if these.len() != those.len() {
+                let [these, those] = [these, those].map(|spans| without_grazes(spans, grazing));
+                prop_assert_eq!(these.len(), those.len(), "{}, {}: {:?} {:?}", x, y, these, those);
+                continue;
+            }
             for (index, (these, those)) in these.iter().zip(those).enumerate() {
                 for (end, (this, that)) in these.iter().zip(those).enumerate() {
                     let steps = around.map(|spans| (spans[index][end] - this).abs());
@@ -101,8 +122,8 @@ where
     B: Solid<Scalar = S> + Scan<OrthographicRays<S>> + Scan<PerspectiveRays<S>>,
 {
     let Some((orthographic, perspective)) = cameras::<S>(along) else { return Ok(0) };
-    let from_afar = same(&spans(one, &orthographic), &spans(other, &orthographic), within)?;
-    Ok(from_afar + same(&spans(one, &perspective), &spans(other, &perspective), within)?)
+    let from_afar = same::<S>(&spans(one, &orthographic), &spans(other, &orthographic), within)?;
+    Ok(from_afar + same::<S>(&spans(one, &perspective), &spans(other, &perspective), within)?)
 }
 
 fn direction() -> impl Strategy<Value = V> {
