@@ -107,19 +107,15 @@ macro_rules! constructors {
     };
 }
 
-macro_rules! kinds {
-    ($([$($generics:tt)*] $Scalar:ty;)+) => {$(
-        constructors!([$($generics)*] $Scalar, $Scalar, 1, |x| [x]);
-        constructors!([$($generics)*] $Scalar, Vec3<$Scalar>, 3, |point| point.to_array());
-        constructors!([$($generics)* const D: usize,] $Scalar, [$Scalar; D], D, |point| point);
-    )+};
-}
-
-kinds! {
-    [] f32;
-    [] f64;
-    [F: Fraction,] FixedI32<F>;
-}
+constructors!([] f32, f32, 1, |x| [x]);
+constructors!([] f64, f64, 1, |x| [x]);
+constructors!([F: Fraction,] FixedI32<F>, FixedI32<F>, 1, |x| [x]);
+constructors!([] f32, Vec3<f32>, 3, |point| point.to_array());
+constructors!([] f64, Vec3<f64>, 3, |point| point.to_array());
+constructors!([F: Fraction,] FixedI32<F>, Vec3<FixedI32<F>>, 3, |point| point.to_array());
+constructors!([const D: usize,] f32, [f32; D], D, |point| point);
+constructors!([const D: usize,] f64, [f64; D], D, |point| point);
+constructors!([F: Fraction, const D: usize,] FixedI32<F>, [FixedI32<F>; D], D, |point| point);
 
 per_scalar! { $S: impl[const D: usize, const K: usize, const C: usize, const N: usize] Curve<[$S; D], K, C, N> {
     /// Whether this is a curve, with so many control points.
