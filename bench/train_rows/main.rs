@@ -88,6 +88,13 @@ impl<P: Copy + PartialEq> Line<P> for Source<'_, P> {
     fn fill(&mut self, _: usize, _: usize, _: P) {}
 }
 
+/// Probabilities at the start of a payload.
+fn starting(start: &[u8; SLOTS]) -> Model {
+    let mut model = Model::EMPTY;
+    model.restart(start);
+    model
+}
+
 /// The bytes of a picture on the line, without its header and end.
 fn encode<A: Alphabet>(
     mut alphabet: A,
@@ -100,7 +107,7 @@ fn encode<A: Alphabet>(
     let mut rows = pixels.chunks_exact(width).peekable();
     let mut bytes = 0;
     while rows.peek().is_some() {
-        let (mut model, mut interval) = (Model::starting(start), Interval::ALL);
+        let (mut model, mut interval) = (starting(start), Interval::ALL);
         let mut from = Start { left: alphabet.pixel(0), is_first: true };
         let (mut out, mut decisions) = ([0; PAYLOAD], Vec::new());
         let mut count = 0;
@@ -153,7 +160,7 @@ fn size(shown: &Shown, start: &[u8; SLOTS], seen: &mut Decisions) -> usize {
 fn cost(payloads: &[Vec<bool>], start: u8, bits: &[f32]) -> f32 {
     let mut sum = 0.0;
     for decisions in payloads {
-        let mut model = Model::starting(&[start; SLOTS]);
+        let mut model = starting(&[start; SLOTS]);
         for bit in decisions {
             let probability = model.of(0);
             let yes = probability.yes() as usize;

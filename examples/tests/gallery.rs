@@ -8,6 +8,9 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+#[path = "../../testkit/src/fnv.rs"]
+mod fnv;
+
 const SCENES: [&str; 12] = [
     "box",
     "half-space",
@@ -43,12 +46,8 @@ fn picture(scene: &str, camera: &str, number: &str) -> Vec<[u8; 3]> {
     pixels.chunks_exact(3).map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect()
 }
 
-/// FNV-1a.
 fn hash(pixels: &[[u8; 3]]) -> u32 {
-    pixels
-        .iter()
-        .flatten()
-        .fold(0x811c_9dc5, |hash: u32, byte| (hash ^ u32::from(*byte)).wrapping_mul(0x0100_0193))
+    fnv::fnv(pixels.as_flattened().iter().map(|byte| u32::from(*byte)))
 }
 
 #[test]

@@ -157,7 +157,7 @@ impl Axis {
 
     /// The coordinate of a vector along the axis.
     #[inline]
-    pub(crate) fn of<T: Copy>(self, v: Vec3<T>) -> T {
+    pub(crate) const fn of<T: Copy>(self, v: Vec3<T>) -> T {
         let [first, ..] = self.turned(v);
         first
     }
@@ -174,7 +174,7 @@ impl Axis {
 
     /// The coordinates of a vector, this axis's first and the others in any order: two change places.
     #[inline]
-    pub(crate) fn turned<T: Copy>(self, v: Vec3<T>) -> [T; 3] {
+    pub(crate) const fn turned<T: Copy>(self, v: Vec3<T>) -> [T; 3] {
         match self {
             Self::X => [v.x, v.y, v.z],
             Self::Y => [v.y, v.x, v.z],

@@ -234,14 +234,22 @@ impl<S: Scalar> Pose<S> {
 
     /// The motion that takes the axes and the origin there, if it is a rigid one up to rounding.
     pub(crate) fn of_frame(axes: [Vec3<S::Unit>; 3], translation: Vec3<S>) -> Option<Self> {
+        Self::rigid(axes, translation).ok()
+    }
+
+    fn rigid(axes: [Vec3<S::Unit>; 3], translation: Vec3<S>) -> Result<Self, PoseError> {
+        if !(translation.is_finite() && axes.iter().all(|axis| axis.is_finite())) {
+            return Err(PoseError::NotFinite);
+        }
         let [x, y, z] = axes.map(|axis| axis.map(S::wide_unit));
         let is_frame = [(x, y), (y, z), (z, x)].into_iter().all(|(one, other)| {
             is_rounded(one.dot_compensated(one), S::Wide::ONE)
                 && is_rounded(one.dot_compensated(other), S::Wide::ZERO)
         });
-        let is_right_handed = x.cross(y).dot(z) > S::Wide::ZERO;
-        let is_rigid = is_frame && is_right_handed && translation.is_finite();
-        Self { axes, translation }.checked().ok().filter(|_| is_rigid)
+        if !(is_frame && x.cross(y).dot(z) > S::Wide::ZERO) {
+            return Err(PoseError::NotRigid);
+        }
+        Self { axes, translation }.checked()
     }
 
     fn checked(self) -> Result<Self, PoseError> {
@@ -426,19 +434,6 @@ impl<S: Scalar> TryFrom<Parts<S>> for Pose<S> {
     type Error = PoseError;
 
     fn try_from(Parts { axes, translation }: Parts<S>) -> Result<Self, PoseError> {
-        if !(translation.is_finite() && axes.iter().all(|axis| axis.is_finite())) {
-            return Err(PoseError::NotFinite);
-        }
-        let [x, y, z] = axes.map(|axis| axis.map(S::wide_unit));
-        // Poses are off by a few units of `f32`, or of 2⁻²⁸ in fixed point.
-        let bound = S::Wide::ONE / S::Wide::from_int(1 << 20);
-        let is_near = |(a, b, want): (Vec3<S::Wide>, _, _)| (a.dot(b) - want).abs() < bound;
-        let (zero, one) = (S::Wide::ZERO, S::Wide::ONE);
-        let products =
-            [(x, x, one), (y, y, one), (z, z, one), (x, y, zero), (y, z, zero), (z, x, zero)];
-        if !(products.into_iter().all(is_near) && x.cross(y).dot(z) > zero) {
-            return Err(PoseError::NotRigid);
-        }
-        Self { axes, translation }.checked()
+        Self::rigid(axes, translation)
     }
 }

@@ -1,6 +1,7 @@
 //! Pictures on the displays of `embedded-graphics`, beside its text and shapes.
 
 use super::error::DisplayError;
+use crate::render::pixel::same_bits::same_bits;
 use crate::render::pixel::{Pixel, narrow, scale};
 use crate::render::{Gray8, Mono, Rgb, Rgb565, Rgb888, RowError, RowSource};
 use core::fmt;
@@ -180,24 +181,7 @@ where
     mixed(target, start, end)
 }
 
-/// The crate's pixels and its colours of the same bits.
-macro_rules! same {
-    ($($Pixel:ident = $Color:ty, $to:expr, $from:expr;)+) => {$(
-        impl From<$Pixel> for $Color {
-            fn from(pixel: $Pixel) -> Self {
-                $to(pixel.0)
-            }
-        }
-
-        impl From<$Color> for $Pixel {
-            fn from(color: $Color) -> Self {
-                Self($from(color))
-            }
-        }
-    )+};
-}
-
-same! {
+same_bits! {
     Gray8 = pixelcolor::Gray8, Self::new, |color: pixelcolor::Gray8| color.luma();
     Mono = BinaryColor, Self::from, BinaryColor::is_on;
     Rgb565 = pixelcolor::Rgb565, |bits| RawU16::new(bits).into(), |color| RawU16::from(color).into_inner();

@@ -16,8 +16,9 @@ use core::ops::Deref;
 /// let palette: Palette = [steel, brass, steel].into_iter().collect();
 /// assert_eq!(*palette, [steel, brass]);
 /// ```
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Palette {
+    /// Behind the last one, white ones: so equal palettes are equal bit by bit.
     colors: [Rgb; Self::CAPACITY],
     len: u8,
 }
@@ -59,20 +60,6 @@ impl FromIterator<Rgb> for Palette {
 impl Default for Palette {
     fn default() -> Self {
         Self::EMPTY
-    }
-}
-
-impl PartialEq for Palette {
-    fn eq(&self, other: &Self) -> bool {
-        **self == **other
-    }
-}
-
-impl Eq for Palette {}
-
-impl core::hash::Hash for Palette {
-    fn hash<H: core::hash::Hasher>(&self, state: &mut H) {
-        (**self).hash(state);
     }
 }
 

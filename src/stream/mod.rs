@@ -69,6 +69,7 @@ mod framing;
 mod pixel;
 mod receive;
 mod receiver;
+mod schedule;
 mod sender;
 mod serve;
 #[cfg(feature = "async")]

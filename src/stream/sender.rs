@@ -1,44 +1,16 @@
 //! The sending end, without I/O: rows in, packets out, requests in.
 
-use heapless::Vec;
-
 use super::codec::{Coding, RowCoding};
-use super::crc::{FrameHash, RowHash};
+use super::crc::RowHash;
 use super::decoder::Decoder;
 use super::error::EncodeError;
 use super::pixel::{Wire, WirePixel};
+use super::schedule::{MAX_LIMIT, Open, Schedule, Target, Wanted};
 use super::wire::{
-    FrameHeader, Packet, Part, REQUEST_CAPACITY, Request, encode_end, encode_header, encode_row,
-    row_capacity, rows_payload, seal_rows,
+    FrameHeader, Packet, REQUEST_CAPACITY, encode_row, row_capacity, rows_payload, seal_rows,
 };
 
-/// How long a [`Sender`] waits for answers.
-///
-/// A tick is what the caller counts: a millisecond of a timer, or a look at the line that found nothing
-/// ([`serve`](super::serve)).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Patience {
-    /// The longest time without an answer until the frame's end is sent again. The sender begins with
-    /// a short one: some times what the other end took to answer before.
-    pub ticks: u32,
-    /// After so many times [`ticks`](Self::ticks) without an answer, the frame counts as unheard. 0 is for
-    /// lines without a way back: a frame is over with its end.
-    pub silences: u16,
-}
-
-/// How a frame ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Delivery {
-    /// The other end has the whole frame.
-    Acknowledged {
-        /// How many things it has asked for again.
-        repairs: u16,
-    },
-    /// The other end said nothing for as long as there was [`Patience`]: nobody is there, or can't answer.
-    Unheard,
-}
+pub use super::schedule::{Delivery, Patience};
 
 /// What a [`Sender`] wants next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -54,13 +26,6 @@ pub enum Task<'a> {
     /// The frame is over.
     Done(Delivery),
 }
-
-/// The fewest bytes of contents that a packet of several rows is limited to.
-const MIN_LIMIT: u8 = 31;
-/// The most.
-const MAX_LIMIT: u8 = 254;
-/// So many ranges of rows can wait to be sent again. What doesn't fit is asked for once more.
-const REPAIRS: usize = 8;
 
 /// Sends frames row by row, and repairs them: a state machine without I/O or clock.
 ///
@@ -108,95 +73,42 @@ const REPAIRS: usize = 8;
 pub struct Sender<C, const N: usize> {
     coding: C,
     packet: [u8; N],
-    /// What the machine knows apart from buffers: this code exists once.
-    state: State,
+    schedule: Schedule,
     decoder: Decoder<REQUEST_CAPACITY>,
-}
-
-/// Rows that go into one packet.
-#[derive(Debug, Clone, Copy)]
-struct Open {
-    y: u16,
-    count: u8,
-    is_repair: bool,
-}
-
-/// Rows that were asked for again.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Repair {
-    next: u16,
-    end: u16,
-    limit: u8,
-}
-
-#[derive(Debug)]
-struct State {
-    patience: Patience,
-    header: Option<FrameHeader>,
-    /// So many bytes of the packet buffer wait to be written.
-    ready: usize,
-    open: Option<Open>,
-    /// The next row of the sweep; as many have been sent and hashed.
-    next: u16,
-    /// So many of them are on the line, and not only in a packet.
-    written: u16,
-    hash: FrameHash,
-    /// The last one is served first.
-    repairs: Vec<Repair, REPAIRS>,
-    header_due: bool,
-    end_due: bool,
-    /// The packet that waits to be written is the frame's end.
-    is_end: bool,
-    /// When the end was sent.
-    since: u32,
-    /// The first answer to a frame's first end shows what the other end takes. Those behind it came with
-    /// it, or answer an earlier end.
-    is_timed: bool,
-    has_ended: bool,
-    /// Ticks without an answer before that.
-    silent: u64,
-    tries: u8,
-    /// What the other end takes to answer, if it has.
-    round_trip: Option<u32>,
-    /// The most contents of a packet of several rows. Errors make it smaller, frames larger.
-    limit: u8,
-    asked: u16,
-    delivery: Option<Delivery>,
-    bytes_sent: u64,
 }
 
 impl<C, const N: usize> Sender<C, N> {
     /// A sender with no frame begun.
     #[must_use]
     pub const fn new(coding: C, patience: Patience) -> Self {
-        Self { coding, packet: [0; N], state: State::new(patience), decoder: Decoder::new() }
+        Self { coding, packet: [0; N], schedule: Schedule::new(patience), decoder: Decoder::new() }
     }
 
     /// The header of the frame that was begun last.
     #[must_use]
     pub const fn header(&self) -> Option<FrameHeader> {
-        self.state.header
+        self.schedule.header
     }
 
     /// The bytes of all packets that were sent.
     #[must_use]
     pub const fn bytes_sent(&self) -> u64 {
-        self.state.bytes_sent
+        self.schedule.bytes_sent
     }
 
     /// Takes in a byte that the other end sent.
     pub fn receive(&mut self, byte: u8, now: u32) {
         // What can't be read is asked for again by the other end.
         match self.decoder.push(byte) {
-            Some(Ok(Packet::Ack { frame })) => self.state.acknowledge(frame, now),
-            Some(Ok(Packet::Request(request))) => self.state.ask(request, now),
+            Some(Ok(Packet::Ack { frame })) => self.schedule.acknowledge(frame, now),
+            Some(Ok(Packet::Request(request))) => self.schedule.ask(request, now),
             _ => {}
         }
     }
 
     /// The bytes of [`Task::Send`] are written.
     pub fn sent(&mut self, now: u32) {
-        self.state.sent(now);
+        self.schedule.sent(now);
     }
 }
 
@@ -216,18 +128,20 @@ impl<C: Coding, const N: usize> Sender<C, N> {
             return Err(EncodeError::BufferTooSmall);
         }
         self.coding.begin_frame(&header.palette);
-        self.state.begin(header);
+        self.schedule.begin(header);
         Ok(())
     }
 
     /// What to do next.
     pub fn poll(&mut self, now: u32) -> Task<'_> {
-        if self.state.ready == 0 && self.state.is_packet_full() {
+        if self.schedule.ready == 0 && self.schedule.is_packet_full() {
             self.seal();
         }
-        let wanted = self.state.poll(&mut self.packet, now);
+        let wanted = self.schedule.poll(&mut self.packet, now);
         match wanted {
-            Wanted::Packet => Task::Send(self.packet.get(..self.state.ready).unwrap_or_default()),
+            Wanted::Packet => {
+                Task::Send(self.packet.get(..self.schedule.ready).unwrap_or_default())
+            }
             Wanted::Row(y) => Task::Row(y),
             Wanted::Silence(ticks) => Task::Listen(ticks),
             Wanted::Nothing(delivery) => Task::Done(delivery),
@@ -236,10 +150,10 @@ impl<C: Coding, const N: usize> Sender<C, N> {
 
     /// Makes a packet of the rows that have been coded.
     fn seal(&mut self) {
-        let Some((header, Open { y, count, .. })) = self.state.close() else { return };
+        let Some((header, Open { y, count, .. })) = self.schedule.close() else { return };
         let len = self.coding.finish(rows_payload(&mut self.packet, MAX_LIMIT.into()));
         // The payload is in its place, so that there is room for the packet.
-        self.state.ready =
+        self.schedule.ready =
             seal_rows(header.frame, y, count, len, &mut self.packet).unwrap_or_default();
     }
 
@@ -254,17 +168,17 @@ impl<C: Coding, const N: usize> Sender<C, N> {
     where
         C: RowCoding<P>,
     {
-        let Target { header, is_repair, limit } = self.state.target(y)?;
+        let Target { header, is_repair, limit } = self.schedule.target(y)?;
         if P::Wire::FORMAT != header.format {
             return Err(EncodeError::Format);
         }
         if pixels.len() != usize::from(header.width) {
             return Err(EncodeError::Width);
         }
-        if self.state.open.is_none() {
+        if self.schedule.open.is_none() {
             self.coding.begin();
         }
-        let open = self.state.open.unwrap_or(Open { y, count: 0, is_repair });
+        let open = self.schedule.open.unwrap_or(Open { y, count: 0, is_repair });
         let payload = rows_payload(&mut self.packet, limit.into());
         let mut fits = open.is_followed_by(y, is_repair) && self.coding.push(pixels, payload);
         if !fits && open.count == 0 && limit < MAX_LIMIT {
@@ -273,248 +187,17 @@ impl<C: Coding, const N: usize> Sender<C, N> {
             fits = self.coding.push(pixels, rows_payload(&mut self.packet, MAX_LIMIT.into()));
         }
         match (fits, open.count) {
-            (true, count) => self.state.open = Some(Open { count: count + 1, ..open }),
+            (true, count) => self.schedule.open = Some(Open { count: count + 1, ..open }),
             (false, 0) => {
-                self.state.open = None;
-                self.state.ready = encode_row(header.frame, y, pixels, &mut self.packet)?;
+                self.schedule.open = None;
+                self.schedule.ready = encode_row(header.frame, y, pixels, &mut self.packet)?;
             }
             (false, _) => {
                 self.seal();
                 return Ok(());
             }
         }
-        self.state.row_taken(is_repair, || RowHash::of(y, pixels));
+        self.schedule.row_taken(is_repair, || RowHash::of(y, pixels));
         Ok(())
-    }
-}
-
-impl Open {
-    /// Whether row `y` can be in the same packet.
-    fn is_followed_by(self, y: u16, is_repair: bool) -> bool {
-        self.is_repair == is_repair
-            && self.count < u8::MAX
-            && self.y.checked_add(self.count.into()) == Some(y)
-    }
-}
-
-/// What is next.
-enum Wanted {
-    Packet,
-    Row(u16),
-    Silence(u32),
-    Nothing(Delivery),
-}
-
-/// A row that is wanted.
-struct Target {
-    header: FrameHeader,
-    is_repair: bool,
-    limit: u8,
-}
-
-impl State {
-    const fn new(patience: Patience) -> Self {
-        Self {
-            patience,
-            header: None,
-            ready: 0,
-            open: None,
-            next: 0,
-            written: 0,
-            hash: FrameHash::new(),
-            repairs: Vec::new(),
-            header_due: false,
-            end_due: false,
-            is_end: false,
-            since: 0,
-            is_timed: false,
-            has_ended: false,
-            silent: 0,
-            tries: 0,
-            round_trip: None,
-            limit: MAX_LIMIT,
-            asked: 0,
-            delivery: None,
-            bytes_sent: 0,
-        }
-    }
-
-    #[inline(never)]
-    fn begin(&mut self, header: FrameHeader) {
-        let Self { patience, round_trip, limit, bytes_sent, .. } = *self;
-        *self = Self {
-            header: Some(header),
-            header_due: true,
-            round_trip,
-            limit: limit.saturating_mul(2).min(MAX_LIMIT),
-            bytes_sent,
-            ..Self::new(patience)
-        };
-    }
-
-    fn is_swept(&self) -> bool {
-        self.header.is_none_or(|header| self.next >= header.height)
-    }
-
-    /// Whether the rows that have been coded are to be sent before anything else.
-    fn is_packet_full(&self) -> bool {
-        let is_repairing = !self.repairs.is_empty();
-        self.open.is_some_and(|open| {
-            self.header_due || open.is_repair != is_repairing || !is_repairing && self.is_swept()
-        })
-    }
-
-    /// The rows that have been coded, which are no longer open.
-    fn close(&mut self) -> Option<(FrameHeader, Open)> {
-        Some((self.header?, self.open.take()?))
-    }
-
-    #[inline(never)]
-    fn poll(&mut self, packet: &mut [u8], now: u32) -> Wanted {
-        let Some(header) = self.header else { return Wanted::Nothing(Delivery::Unheard) };
-        if self.ready > 0 {
-            return Wanted::Packet;
-        }
-        if let Some(delivery) = self.delivery {
-            return Wanted::Nothing(delivery);
-        }
-        if self.header_due {
-            self.header_due = false;
-            // Cannot fail: the header has pixels, and the buffer is large enough for a control packet.
-            self.ready = encode_header(header, packet).unwrap_or_default();
-            return Wanted::Packet;
-        }
-        if let Some(repair) = self.repairs.last() {
-            return Wanted::Row(repair.next);
-        }
-        if self.next < header.height {
-            return Wanted::Row(self.next);
-        }
-        let wait = self.wait();
-        let waited = now.wrapping_sub(self.since);
-        if !self.end_due && waited < wait {
-            return Wanted::Silence(wait - waited);
-        }
-        if !self.end_due {
-            self.silent += u64::from(waited);
-            self.tries = self.tries.saturating_add(1);
-        }
-        let most = u64::from(self.patience.ticks) * u64::from(self.patience.silences);
-        if self.silent >= most && !self.end_due {
-            self.delivery = Some(Delivery::Unheard);
-            return Wanted::Nothing(Delivery::Unheard);
-        }
-        (self.end_due, self.is_end) = (false, true);
-        self.ready = encode_end(header.frame, self.hash, packet).unwrap_or_default();
-        Wanted::Packet
-    }
-
-    /// How long to wait for an answer: some times what it took before, and longer each time.
-    fn wait(&self) -> u32 {
-        let most = self.patience.ticks;
-        let first = self.round_trip.map_or(most, |ticks| ticks.saturating_mul(4).saturating_add(2));
-        first.saturating_mul(1 << self.tries.min(4)).min(most)
-    }
-
-    fn sent(&mut self, now: u32) {
-        self.bytes_sent = self.bytes_sent.wrapping_add(self.ready as u64);
-        self.ready = 0;
-        let open = self.open.filter(|open| !open.is_repair);
-        self.written = open.map_or(self.next, |open| open.y);
-        if core::mem::take(&mut self.is_end) {
-            self.since = now;
-            self.is_timed = !core::mem::replace(&mut self.has_ended, true);
-            if self.patience.silences == 0 {
-                self.delivery = Some(Delivery::Unheard);
-            }
-        }
-    }
-
-    /// What row `y` is wanted for.
-    #[inline(never)]
-    fn target(&self, y: u16) -> Result<Target, EncodeError> {
-        let header = self.header.ok_or(EncodeError::NoFrame)?;
-        let (wanted, is_repair, limit) = match self.repairs.last() {
-            Some(repair) => (repair.next, true, repair.limit.max(MIN_LIMIT).min(self.limit)),
-            None => (self.next, false, self.limit),
-        };
-        if self.ready > 0 || y != wanted || y >= header.height {
-            return Err(EncodeError::Order);
-        }
-        Ok(Target { header, is_repair, limit })
-    }
-
-    /// The row that was wanted is in a packet.
-    fn row_taken(&mut self, is_repair: bool, hash: impl FnOnce() -> u32) {
-        if !is_repair {
-            // The sum of the hashes is right only if every row is in it once.
-            self.hash.add(hash());
-            self.next += 1;
-            self.end_due = self.is_swept();
-        } else if let Some(repair) = self.repairs.last_mut() {
-            repair.next += 1;
-            if repair.next >= repair.end {
-                self.repairs.pop();
-                self.end_due = self.is_swept();
-            }
-        }
-    }
-
-    /// The other end is there.
-    fn heard(&mut self, now: u32) {
-        if self.is_swept() && !self.end_due {
-            if core::mem::take(&mut self.is_timed) {
-                let ticks = now.wrapping_sub(self.since);
-                // Waiting too long costs little; a request from before the end must not make it short.
-                let before = self.round_trip.unwrap_or(ticks);
-                self.round_trip = Some(ticks.max(before.midpoint(ticks)));
-            }
-            self.since = now;
-        }
-        (self.silent, self.tries) = (0, 0);
-    }
-
-    #[inline(never)]
-    fn acknowledge(&mut self, frame: u16, now: u32) {
-        // Before the end, it is late and of another frame with this number.
-        if self.header.is_some_and(|header| header.frame == frame) && self.has_ended {
-            self.heard(now);
-            self.repairs.clear();
-            self.delivery = Some(Delivery::Acknowledged { repairs: self.asked });
-        }
-    }
-
-    /// The header is to be sent again.
-    fn header_due(&mut self) {
-        self.header_due = true;
-        self.end_due = self.is_swept();
-    }
-
-    #[inline(never)]
-    fn ask(&mut self, request: Request, now: u32) {
-        let Some(header) = self.header.filter(|header| header.frame == request.frame) else {
-            return;
-        };
-        self.heard(now);
-        self.asked = self.asked.saturating_add(1);
-        match request.part {
-            // Who asks for rows that the frame doesn't have has the header of another one with this number.
-            Part::Rows { y, .. } if y >= header.height => self.header_due(),
-            Part::Header => self.header_due(),
-            Part::End => self.end_due = self.is_swept(),
-            Part::Rows { y, count, limit } => {
-                // Rows that are still to come are not lost.
-                let end = y.saturating_add(count).min(self.written);
-                if y >= end {
-                    return;
-                }
-                self.limit = limit.max(MIN_LIMIT).min(self.limit);
-                let repair = Repair { next: y, end, limit };
-                if !self.repairs.iter().any(|other| other.end == end) {
-                    // If there is no place, it is asked for once more.
-                    let _ = self.repairs.push(repair);
-                }
-            }
-        }
     }
 }

@@ -1,5 +1,6 @@
 //! The pictures of `docs/gallery.md`: a part as the example `stream` shows it, held to the example's golden hash.
 
+use crate::fnv::fnv;
 use scancsg::geom::{OrthographicRays, Vec3, vec3};
 use scancsg::render::{Lambert, Orthographic, Picture, Rgb565, Size};
 use scancsg::solid::{Scan, Solid};
@@ -20,7 +21,7 @@ where
     assert_eq!(hash.ok().as_deref(), golden, "not the gallery's picture of {scene}");
 }
 
-/// FNV-1a of the pixels, with eight bits a colour.
+/// The hash of the pixels, with eight bits a colour.
 fn hash<T>(part: &T) -> Result<u32, scancsg::Error>
 where
     T: Solid<Scalar = f32> + Scan<OrthographicRays<f32>>,
@@ -30,16 +31,15 @@ where
     let size = Size::new(WIDTH, HEIGHT)?;
     let mut picture = Picture::new(part, &camera, size, light, Rgb565::default());
     let mut row = [Rgb565::default(); WIDTH as usize];
-    let mut hash: u32 = 0x811c_9dc5;
+    let mut bytes = Vec::new();
     for y in 0..HEIGHT {
         picture.scanline(y)?.render(&mut row)?;
         for Rgb565(bits) in row {
             for (shift, most) in [(11, 31), (5, 63), (0, 31)] {
                 let level = u32::from(bits) >> shift & most;
-                let byte = (level * 255 + most / 2) / most;
-                hash = (hash ^ byte).wrapping_mul(0x0100_0193);
+                bytes.push((level * 255 + most / 2) / most);
             }
         }
     }
-    Ok(hash)
+    Ok(fnv(bytes))
 }

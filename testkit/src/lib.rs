@@ -9,6 +9,7 @@ pub mod caster;
 pub mod cone_oracle;
 pub mod cylinder_table;
 pub mod expect;
+mod fnv;
 pub mod gallery;
 pub mod limits;
 pub mod link;

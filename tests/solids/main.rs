@@ -9,6 +9,7 @@ extern crate testkit;
 mod scene;
 
 mod absurd_numbers;
+mod beside_the_origin;
 mod inspect;
 mod pipe;
 mod placed_far;

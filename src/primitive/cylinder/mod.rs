@@ -4,8 +4,6 @@ mod along_axis;
 mod open;
 mod orthographic;
 mod perspective;
-#[cfg(test)]
-mod tests;
 
 pub use along_axis::AxisCylinder;
 pub use open::{CylinderWall, WallHit};

@@ -47,7 +47,7 @@ pub(in crate::quadric) fn aligned_cylinder<S: FixedPoint>(
 }
 
 /// A line and a wall in the plane across the axis, in units. Ways are below 2³¹, see `mod.rs`.
-struct Section {
+pub(super) struct Section {
     q: [i32; 2],
     m: [i32; 2],
     radius: i32,
@@ -63,7 +63,7 @@ enum Quick {
 
 impl Section {
     #[inline]
-    fn new<S: FixedPoint>(along: Axis, wall: &Wall<S>, line: &Line<S>) -> Self {
+    pub(super) fn new<S: FixedPoint>(along: Axis, wall: &Wall<S>, line: &Line<S>) -> Self {
         let bits = |v| along.across(v).map(|coordinate: S| coordinate.to_bits());
         let ([u, v], [base_u, base_v]) = (bits(line.origin), bits(wall.base));
         let q = [u.wrapping_sub(base_u), v.wrapping_sub(base_v)];
@@ -108,7 +108,7 @@ impl Section {
         }
     }
 
-    fn quadratic(&self) -> Quadratic<i128> {
+    pub(super) fn quadratic(&self) -> Quadratic<i128> {
         let [a, b, k, square] = self.coefficients().map(i128::from);
         let [qx, qy] = self.q.map(|coordinate| product(coordinate, coordinate));
         let c = i128::from(qx + qy) - square;

@@ -1,5 +1,6 @@
 //! Pixels that are their bytes, so that a row of them goes to a display or a file as it is.
 
+use super::same_bits::same_bits;
 use super::{Blend, Gray8, Pixel, Rgb565, Rgb888};
 use crate::solid::Rgb;
 
@@ -17,20 +18,14 @@ use crate::solid::Rgb;
 /// `[u8; 1]` is a grey pixel in the same way, and `[u8; 3]` one of red, green and blue.
 pub type Rgb565Be = [u8; 2];
 
+same_bits! {
+    Gray8 = [u8; 1], |level| [level], |[level]: [u8; 1]| level;
+    Rgb565 = [u8; 2], u16::to_be_bytes, u16::from_be_bytes;
+    Rgb888 = [u8; 3], |bytes| bytes, |bytes| bytes;
+}
+
 macro_rules! bytes {
-    ($($bytes:ty = $Pixel:ident, $to:expr, $from:expr;)+) => {$(
-        impl From<$Pixel> for $bytes {
-            fn from(pixel: $Pixel) -> Self {
-                $to(pixel.0)
-            }
-        }
-
-        impl From<$bytes> for $Pixel {
-            fn from(bytes: $bytes) -> Self {
-                Self($from(bytes))
-            }
-        }
-
+    ($($Pixel:ident = $bytes:ty;)+) => {$(
         impl Pixel for $bytes {
             fn shaded(color: Rgb, level: u8) -> Self {
                 $Pixel::shaded(color, level).into()
@@ -53,7 +48,7 @@ macro_rules! bytes {
 }
 
 bytes! {
-    [u8; 1] = Gray8, |level| [level], |[level]: [u8; 1]| level;
-    [u8; 2] = Rgb565, u16::to_be_bytes, u16::from_be_bytes;
-    [u8; 3] = Rgb888, |bytes| bytes, |bytes| bytes;
+    Gray8 = [u8; 1];
+    Rgb565 = [u8; 2];
+    Rgb888 = [u8; 3];
 }

@@ -13,6 +13,7 @@ mod level;
 mod mono;
 mod rgb565;
 mod rgb888;
+pub(crate) mod same_bits;
 
 pub use blend::{Blend, mean};
 pub use bytes::Rgb565Be;

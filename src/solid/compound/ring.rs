@@ -47,12 +47,7 @@ per_scalar! { $S: impl[] Cylinder<$S> {
             let size = Ops::<$S>::to_f64(ring_radius);
             let x = Ops::<$S>::sum(u, Ops::<$S>::from_f64(size * cos));
             let y = Ops::<$S>::sum(v, Ops::<$S>::from_f64(size * sin));
-            let hole = match axis {
-                Axis::X => Self::along_x(x, y, radius, low, high),
-                Axis::Y => Self::along_y(x, y, radius, low, high),
-                Axis::Z => Self::along_z(x, y, radius, low, high),
-            };
-            match (hole, &mut ring) {
+            match (Self::spanning(axis, low..high, [x, y], radius), &mut ring) {
                 (Err(error), _) => return Err(error),
                 (Ok(hole), None) => ring = Some([hole; N]),
                 (Ok(hole), Some(ring)) => ring[index] = hole,

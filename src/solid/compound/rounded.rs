@@ -121,12 +121,8 @@ per_scalar! { $S: impl[] RoundedCuboid<$S> {
                 Ok(plate) => plate,
                 Err(error) => return Err(error),
             };
-            let [u, v] = frame.edge(axis, index);
-            let edge = match axis {
-                Axis::X => Cylinder::<$S>::along_x(u, v, radius, inner_low.x, inner_high.x),
-                Axis::Y => Cylinder::<$S>::along_y(u, v, radius, inner_low.y, inner_high.y),
-                Axis::Z => Cylinder::<$S>::along_z(u, v, radius, inner_low.z, inner_high.z),
-            };
+            let length = axis.of(inner_low)..axis.of(inner_high);
+            let edge = Cylinder::<$S>::spanning(axis, length, frame.edge(axis, index), radius);
             let (Ok(edge), Ok(corner)) = (edge, Sphere::<$S>::new(frame.corner(index), radius))
             else {
                 return Err(CuboidError::Radius);

@@ -2,7 +2,7 @@
 
 use super::Curve;
 use crate::geom::Vec3;
-use crate::scalar::{ConstOps, FixedI32, Fraction};
+use crate::scalar::{ConstOps, FixedI32, Fraction, per_scalar};
 use crate::spline::baked::{Baked, search};
 use crate::spline::error::CurveError;
 use crate::spline::knots::Knots;
@@ -11,7 +11,7 @@ use crate::spline::scalar::constant::repeated;
 use crate::spline::scalar::order::Ordered;
 
 macro_rules! constructors {
-    ([$($generics:tt)*] $Scalar:ty, $Point:ty, $D:expr, $PIECES:literal, |$point:ident| $coordinates:expr) => {
+    ([$($generics:tt)*] $Scalar:ty, $Point:ty, $D:expr, |$point:ident| $coordinates:expr) => {
         impl<$($generics)* const K: usize, const C: usize, const N: usize> Curve<$Point, K, C, N> {
             /// A curve over these knots, with these control points: as many as there are knots,
             /// less the order.
@@ -59,37 +59,24 @@ macro_rules! constructors {
                 if points.is_empty() || count != knots.points() || count > C {
                     return Err(CurveError::PointCount);
                 }
-                let [lowest, highest] = <$Scalar as Ordered>::RANGE;
                 let points = repeated(points, 0, count, <$Point as Point>::ORIGIN);
-                let rows = Self::rows(&points);
-                let mut rest = rows.as_flattened();
-                while let [x, others @ ..] = rest {
-                    if !ConstOps::<$Scalar>::is_finite(*x) {
-                        return Err(CurveError::NotFinite);
-                    }
-                    if ConstOps::<$Scalar>::is_below(*x, lowest)
-                        || ConstOps::<$Scalar>::is_below(highest, *x)
-                    {
-                        return Err(CurveError::TooFar);
-                    }
-                    rest = others;
+                let curve = Self { knots, points };
+                match curve.flat().check(count) {
+                    Ok(()) => Ok(curve),
+                    Err(error) => Err(error),
                 }
-                if count < K || knots.spans() == 0 {
-                    return Err(CurveError::Empty);
-                }
-                Ok(Self { knots, points })
             }
 
-            /// The coordinates of all points.
-            const fn rows(points: &[$Point; C]) -> [[$Scalar; $D]; C] {
-                let mut rows = [[ConstOps::<$Scalar>::ZERO; $D]; C];
+            /// The same curve of arrays.
+            const fn flat(&self) -> Curve<[$Scalar; $D], K, C, N> {
+                let mut points = [[ConstOps::<$Scalar>::ZERO; $D]; C];
                 let mut i = 0;
                 while i < C {
-                    let $point = points[i];
-                    rows[i] = $coordinates;
+                    let $point = self.points[i];
+                    points[i] = $coordinates;
                     i += 1;
                 }
-                rows
+                Curve { knots: self.knots, points }
             }
 
             /// The curve's polynomials, for a constant: they don't follow when a control point is
@@ -109,62 +96,83 @@ macro_rules! constructors {
             pub const fn bake<const SPANS: usize>(
                 &self,
             ) -> Result<Baked<$Point, K, SPANS>, CurveError> {
-                let places = match self.knots.places::<$PIECES, SPANS>() {
-                    Ok(places) => places,
-                    Err(error) => return Err(error),
-                };
-                let places = places.as_flattened();
-                let (mut knots, mut points) = ([0.0; N], [[0.0; $D]; C]);
-                let mut i = 0;
-                while i < N {
-                    knots[i] = ConstOps::<$Scalar>::units(self.knots.knots[i]);
-                    i += 1;
-                }
-                let rows = Self::rows(&self.points);
-                let mut i = 0;
-                while i < C * $D {
-                    let x = rows.as_flattened()[i];
-                    points.as_flattened_mut()[i] = ConstOps::<$Scalar>::units(x);
-                    i += 1;
-                }
-                let first = ConstOps::<$Scalar>::piece(&knots, &points, places[0]);
-                let Some(first) = first else { return Err(CurveError::TooFar) };
-                let mut pieces = [[first; $PIECES]; SPANS];
-                let mut i = 1;
-                while i < places.len() {
-                    let piece = ConstOps::<$Scalar>::piece(&knots, &points, places[i]);
-                    let Some(piece) = piece else { return Err(CurveError::TooFar) };
-                    pieces.as_flattened_mut()[i] = piece;
-                    i += 1;
-                }
-                let from = ConstOps::<$Scalar>::first_key(places[0].1[0]);
-                let end = ConstOps::<$Scalar>::last_key(places[places.len() - 1].1[1]);
-                let outside = end.wrapping_add(1);
-                let mut nodes = [[[0; 2]; $PIECES]; SPANS];
-                let mut node = 1;
-                while node < 1 << search::levels(places.len()) {
-                    if let Some(i) = search::element(node, places.len()) {
-                        let key = ConstOps::<$Scalar>::first_key(places[i].1[0]);
-                        nodes.as_flattened_mut().as_flattened_mut()[node] = key.wrapping_sub(outside);
+                match self.flat().baked() {
+                    Ok(Baked { nodes, outside, from, end, pieces }) => {
+                        Ok(Baked { nodes, outside, from, end, pieces })
                     }
-                    node += 1;
+                    Err(error) => Err(error),
                 }
-                Ok(Baked { nodes, outside, from, end, pieces })
             }
         }
     };
 }
 
-macro_rules! kinds {
-    ($([$($generics:tt)*] $Scalar:ty, $PIECES:literal;)+) => {$(
-        constructors!([$($generics)*] $Scalar, $Scalar, 1, $PIECES, |x| [x]);
-        constructors!([$($generics)*] $Scalar, Vec3<$Scalar>, 3, $PIECES, |point| point.to_array());
-        constructors!([$($generics)* const D: usize,] $Scalar, [$Scalar; D], D, $PIECES, |point| point);
-    )+};
-}
+constructors!([] f32, f32, 1, |x| [x]);
+constructors!([] f64, f64, 1, |x| [x]);
+constructors!([F: Fraction,] FixedI32<F>, FixedI32<F>, 1, |x| [x]);
+constructors!([] f32, Vec3<f32>, 3, |point| point.to_array());
+constructors!([] f64, Vec3<f64>, 3, |point| point.to_array());
+constructors!([F: Fraction,] FixedI32<F>, Vec3<FixedI32<F>>, 3, |point| point.to_array());
+constructors!([const D: usize,] f32, [f32; D], D, |point| point);
+constructors!([const D: usize,] f64, [f64; D], D, |point| point);
+constructors!([F: Fraction, const D: usize,] FixedI32<F>, [FixedI32<F>; D], D, |point| point);
 
-kinds! {
-    [] f32, 3;
-    [] f64, 3;
-    [F: Fraction,] FixedI32<F>, 1;
-}
+per_scalar! { $S: impl[const D: usize, const K: usize, const C: usize, const N: usize] Curve<[$S; D], K, C, N> {
+    /// Whether this is a curve, with so many control points.
+    const fn check(&self, count: usize) -> Result<(), CurveError> {
+        let [lowest, highest] = <$S as Ordered>::RANGE;
+        let mut rest = self.points.as_flattened();
+        while let [x, others @ ..] = rest {
+            if !ConstOps::<$S>::is_finite(*x) {
+                return Err(CurveError::NotFinite);
+            }
+            if ConstOps::<$S>::is_below(*x, lowest) || ConstOps::<$S>::is_below(highest, *x) {
+                return Err(CurveError::TooFar);
+            }
+            rest = others;
+        }
+        if count < K || self.knots.spans() == 0 { Err(CurveError::Empty) } else { Ok(()) }
+    }
+
+    const fn baked<const SPANS: usize>(&self) -> Result<Baked<[$S; D], K, SPANS>, CurveError> {
+        let places = match self.knots.places::<SPANS>() {
+            Ok(places) => places,
+            Err(error) => return Err(error),
+        };
+        let (mut knots, mut points) = ([0.0; N], [[0.0; D]; C]);
+        let mut i = 0;
+        while i < N {
+            knots[i] = ConstOps::<$S>::units(self.knots.knots[i]);
+            i += 1;
+        }
+        let mut i = 0;
+        while i < C * D {
+            points.as_flattened_mut()[i] = ConstOps::<$S>::units(self.points.as_flattened()[i]);
+            i += 1;
+        }
+        let first = ConstOps::<$S>::piece(&knots, &points, places[0][0]);
+        let Some(first) = first else { return Err(CurveError::TooFar) };
+        let mut pieces = [[first; _]; SPANS];
+        let mut nodes = [[[0; 2]; _]; SPANS];
+        let places = places.as_flattened();
+        let mut i = 1;
+        while i < places.len() {
+            let piece = ConstOps::<$S>::piece(&knots, &points, places[i]);
+            let Some(piece) = piece else { return Err(CurveError::TooFar) };
+            pieces.as_flattened_mut()[i] = piece;
+            i += 1;
+        }
+        let from = ConstOps::<$S>::first_key(places[0].1[0]);
+        let end = ConstOps::<$S>::last_key(places[places.len() - 1].1[1]);
+        let outside = end.wrapping_add(1);
+        let mut node = 1;
+        while node < 1 << search::levels(places.len()) {
+            if let Some(i) = search::element(node, places.len()) {
+                let key = ConstOps::<$S>::first_key(places[i].1[0]);
+                nodes.as_flattened_mut().as_flattened_mut()[node] = key.wrapping_sub(outside);
+            }
+            node += 1;
+        }
+        Ok(Baked { nodes, outside, from, end, pieces })
+    }
+} }

@@ -20,7 +20,7 @@ use crate::scalar::Scalar;
 /// const KNOTS: Knots<f32, 3, 6> = constant!(Knots::<f32, 3, 6>::new(&[0.0, 0.0, 0.0, 1.0, 0.5, 2.0]));
 /// # let _ = KNOTS;
 /// ```
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Knots<S: Scalar, const K: usize, const N: usize> {
     /// The knots, and behind them the last one again.
@@ -50,12 +50,6 @@ impl<S: Scalar, const K: usize, const N: usize> Knots<S, K, N> {
     #[inline]
     pub fn as_slice(&self) -> &[S] {
         self.knots.get(..self.length).unwrap_or(&self.knots)
-    }
-}
-
-impl<S: Scalar, const K: usize, const N: usize> PartialEq for Knots<S, K, N> {
-    fn eq(&self, other: &Self) -> bool {
-        self.as_slice() == other.as_slice()
     }
 }
 

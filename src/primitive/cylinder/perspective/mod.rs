@@ -32,7 +32,9 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cylinder<S> {
 
     #[inline]
     fn is_in_rows(&self, view: &Self::View, rows: [i32; 2]) -> bool {
-        view.as_ref().is_some_and(|view| S::compute(InRows { view, rows }))
+        let Some(view) = view else { return false };
+        view.float().is_some_and(|view| view.is_in_rows(rows))
+            || view.fixed().is_some_and(|view| view.is_in_rows(rows))
     }
 
     #[inline(never)]
@@ -79,31 +81,6 @@ impl<S: Scalar> Formula<S> for Seen<'_, S> {
         S: FixedPoint,
     {
         View::<S>::of_fixed(TangentView::new(self.cylinder, self.rays))
-    }
-}
-
-/// Whether a row of several can meet the cylinder.
-struct InRows<'a, S: Scalar> {
-    view: &'a View<S>,
-    rows: [i32; 2],
-}
-
-impl<S: Scalar> Formula<S> for InRows<'_, S> {
-    type Output = bool;
-
-    #[inline(always)]
-    fn float(self) -> bool
-    where
-        S: Float,
-    {
-        self.view.float().is_some_and(|view| view.is_in_rows(self.rows))
-    }
-
-    fn fixed(self) -> bool
-    where
-        S: FixedPoint,
-    {
-        self.view.fixed().is_some_and(|view| view.is_in_rows(self.rows))
     }
 }
 

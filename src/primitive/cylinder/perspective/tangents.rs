@@ -80,6 +80,16 @@ pub struct Pixels<S: Scalar> {
     ends: [S; 2],
 }
 
+impl<S: Scalar> TangentView<S> {
+    #[inline]
+    pub(super) fn is_in_rows(&self, rows: [i32; 2]) -> bool {
+        match self {
+            Self::Outside(_, seen) => seen.meet(rows),
+            Self::Near(..) => true,
+        }
+    }
+}
+
 impl<S: FixedPoint> TangentView<S> {
     pub(super) fn new(cylinder: &Cylinder<S>, rays: &PerspectiveRays<S>) -> Self {
         match Tangents::new(cylinder, rays) {
@@ -88,14 +98,6 @@ impl<S: FixedPoint> TangentView<S> {
                 let (view, eye_within) = NearView::new(cylinder, rays);
                 Self::Near(view, eye_within)
             }
-        }
-    }
-
-    #[inline]
-    pub(super) fn is_in_rows(&self, rows: [i32; 2]) -> bool {
-        match self {
-            Self::Outside(_, seen) => seen.meet(rows),
-            Self::Near(..) => true,
         }
     }
 

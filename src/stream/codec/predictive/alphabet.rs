@@ -1,16 +1,29 @@
 //! Pixels as the coder sees them: numbers whose neighbours look alike.
 
-use crate::render::Gray8;
+use crate::render::{Gray8, Pixel};
 use core::marker::PhantomData;
+
+/// A pixel made of three channels.
+pub trait Channels: Pixel + PartialEq {
+    /// Its bytes on the link.
+    type Bytes: AsRef<[u8]>;
+
+    /// The channels.
+    fn channels(self) -> [i32; 3];
+
+    /// The pixel with the nearest channels that there are.
+    fn with_channels(channels: [i32; 3]) -> Self;
+
+    /// Its bytes on the link.
+    fn bytes(self) -> Self::Bytes;
+}
 
 /// What symbols a frame's pixels have.
 pub trait Alphabet {
     /// The pixels.
-    type Pixel: Copy + PartialEq;
+    type Pixel: Channels;
     /// A symbol as it is kept of the row above.
-    type Symbol: Copy;
-    /// A pixel's bytes on the link.
-    type Bytes: AsRef<[u8]>;
+    type Symbol: Copy + Into<i32>;
     /// Whether there are pixels without a symbol of their own.
     const ESCAPES: bool;
 
@@ -23,20 +36,24 @@ pub trait Alphabet {
     /// The pixel of a symbol.
     fn pixel(&self, symbol: i32) -> Self::Pixel;
 
-    /// The channels of a pixel.
-    fn channels(pixel: Self::Pixel) -> [i32; 3];
-
-    /// The pixel with the nearest channels that there are.
-    fn with_channels(channels: [i32; 3]) -> Self::Pixel;
-
-    /// A pixel's bytes on the link.
-    fn bytes(pixel: Self::Pixel) -> Self::Bytes;
-
     /// A symbol for the memory of the row above.
     fn kept(symbol: i32) -> Self::Symbol;
+}
 
-    /// A symbol out of that memory.
-    fn recalled(symbol: Self::Symbol) -> i32;
+impl Channels for Gray8 {
+    type Bytes = [u8; 1];
+
+    fn channels(self) -> [i32; 3] {
+        [self.0.into(); 3]
+    }
+
+    fn with_channels([level, _, _]: [i32; 3]) -> Self {
+        Self(level.clamp(0, u8::MAX.into()) as u8)
+    }
+
+    fn bytes(self) -> [u8; 1] {
+        [self.0]
+    }
 }
 
 /// Grey levels: each is its own symbol, kept as a `T`.
@@ -46,7 +63,6 @@ pub struct Levels<T = u8>(pub(crate) PhantomData<T>);
 impl<T: Copy + From<u8> + Into<i32>> Alphabet for Levels<T> {
     type Pixel = Gray8;
     type Symbol = T;
-    type Bytes = [u8; 1];
     const ESCAPES: bool = false;
 
     fn top(&self) -> i32 {
@@ -61,23 +77,7 @@ impl<T: Copy + From<u8> + Into<i32>> Alphabet for Levels<T> {
         Gray8(symbol as u8)
     }
 
-    fn channels(pixel: Gray8) -> [i32; 3] {
-        [pixel.0.into(); 3]
-    }
-
-    fn with_channels([level, _, _]: [i32; 3]) -> Gray8 {
-        Gray8(level.clamp(0, u8::MAX.into()) as u8)
-    }
-
-    fn bytes(pixel: Gray8) -> [u8; 1] {
-        [pixel.0]
-    }
-
     fn kept(symbol: i32) -> T {
         (symbol as u8).into()
-    }
-
-    fn recalled(symbol: T) -> i32 {
-        symbol.into()
     }
 }

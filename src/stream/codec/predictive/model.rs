@@ -44,14 +44,6 @@ impl<const N: usize> Model<N> {
     /// Memory only: a payload begins with [`restart`](Self::restart).
     pub(crate) const EMPTY: Self = Self([0; N]);
 
-    /// With these probabilities, in 256ths.
-    #[cfg(test)]
-    pub(crate) const fn starting(start: &[u8; N]) -> Self {
-        let mut new = Self([0; N]);
-        new.restart(start);
-        new
-    }
-
     /// Takes these probabilities, in 256ths, in its place.
     pub(crate) const fn restart(&mut self, start: &[u8; N]) {
         let (mut slots, mut start) = (self.0.as_mut_slice(), start.as_slice());

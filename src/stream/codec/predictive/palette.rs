@@ -4,23 +4,8 @@
 //! symbol of a pixel is its index in all chains, one after the other. So a shaded surface is a smooth
 //! landscape of symbols, whatever its colour.
 
-use super::alphabet::Alphabet;
-use crate::render::{Pixel, Rgb, Rgb565, Rgb888};
-
-/// A pixel made of three channels.
-pub trait Channels: Pixel + PartialEq {
-    /// Its bytes on the link.
-    type Bytes: AsRef<[u8]>;
-
-    /// The channels.
-    fn channels(self) -> [i32; 3];
-
-    /// The pixel with the nearest channels that there are.
-    fn with_channels(channels: [i32; 3]) -> Self;
-
-    /// Its bytes on the link.
-    fn bytes(self) -> Self::Bytes;
-}
+use super::alphabet::{Alphabet, Channels};
+use crate::render::{Rgb, Rgb565, Rgb888};
 
 impl Channels for Rgb565 {
     type Bytes = [u8; 2];
@@ -224,7 +209,6 @@ fn pixel<P: Channels>(chains: &[Chain], symbol: u16) -> P {
 impl<P: Channels, const N: usize> Alphabet for Palette<P, N> {
     type Pixel = P;
     type Symbol = u16;
-    type Bytes = P::Bytes;
     const ESCAPES: bool = true;
 
     fn top(&self) -> i32 {
@@ -249,23 +233,7 @@ impl<P: Channels, const N: usize> Alphabet for Palette<P, N> {
         pixel(self.chains(), symbol as u16)
     }
 
-    fn channels(pixel: P) -> [i32; 3] {
-        pixel.channels()
-    }
-
-    fn with_channels(channels: [i32; 3]) -> P {
-        P::with_channels(channels)
-    }
-
-    fn bytes(pixel: P) -> P::Bytes {
-        pixel.bytes()
-    }
-
     fn kept(symbol: i32) -> u16 {
         symbol as u16
-    }
-
-    fn recalled(symbol: u16) -> i32 {
-        symbol.into()
     }
 }

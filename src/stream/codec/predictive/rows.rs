@@ -11,7 +11,7 @@
 //!    G. Sapiro, IEEE Transactions on Image Processing 9(8), 2000).
 //! 3. If not, it is close to the prediction, or a neighbour's symbol, or far off, or the pixel has no symbol.
 
-use super::alphabet::Alphabet;
+use super::alphabet::{Alphabet, Channels};
 use super::model::{
     CHANNEL, CLASSES, ESCAPE, FLAT, JUMP, LARGE, NEAR, NEIGHBOR, SIGN, SIGNED, SMALL, Slot, ZERO,
 };
@@ -166,7 +166,7 @@ pub(crate) fn code<C: Bins, A: Alphabet>(
 /// The symbol of the row above in a column, or beyond the row the one before it.
 #[inline(always)]
 fn recall<A: Alphabet>(above: &[A::Symbol], x: usize, before: i32) -> i32 {
-    above.get(x).map_or(before, |symbol| A::recalled(*symbol))
+    above.get(x).map_or(before, |symbol| (*symbol).into())
 }
 
 /// How many columns from here on, at most [`RUN`], have this symbol at their upper right.
@@ -177,7 +177,7 @@ fn flat<A: Alphabet>(above: &[A::Symbol], x: usize, symbol: i32, is_first: bool)
         return left.min(RUN);
     }
     let right = above.get(x + 1..).unwrap_or_default();
-    let run = right.iter().take(RUN).take_while(|kept| A::recalled(**kept) == symbol).count();
+    let run = right.iter().take(RUN).take_while(|kept| (**kept).into() == symbol).count();
     // What is beyond the row is like its last column.
     if run + 1 == left { left.min(RUN) } else { run }
 }
@@ -265,12 +265,12 @@ fn escape<C: Bins, A: Alphabet>(
     top: i32,
 ) -> (i32, A::Pixel) {
     let symbol = (guess + signed(coder, NEAR, off)).clamp(0, top);
-    let mut channels = A::channels(alphabet.pixel(symbol));
-    let wanted = pixel.map_or(channels, A::channels);
+    let mut channels = alphabet.pixel(symbol).channels();
+    let wanted = pixel.map_or(channels, Channels::channels);
     for (i, (channel, wanted)) in channels.iter_mut().zip(wanted).enumerate() {
         *channel += signed(coder, CHANNEL + i * SIGNED, wanted - *channel);
     }
-    (symbol, pixel.unwrap_or_else(|| A::with_channels(channels)))
+    (symbol, pixel.unwrap_or_else(|| A::Pixel::with_channels(channels)))
 }
 
 /// A number with a sign.

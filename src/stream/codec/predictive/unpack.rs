@@ -2,10 +2,13 @@
 
 use core::marker::PhantomData;
 
-use super::alphabet::{Alphabet, Levels};
+use super::alphabet::{Alphabet, Channels, Levels};
+use super::bilevel;
 use super::model::{Model, SLOTS};
-use super::palette::{Channels, Palette};
-use super::{BilevelDecoder, RowsDecoder, bilevel};
+use super::palette::Palette;
+use super::range::Decoder;
+use super::rows::{self, Line, Start};
+use super::start::START;
 use crate::render::{self, Rgb565, Rgb888};
 use crate::stream::error::UnpackError;
 use crate::stream::pixel::PixelFormat;
@@ -57,9 +60,15 @@ fn symbols<'r, A: Alphabet<Symbol = u16>>(
     above: &mut [u16],
 ) -> bool {
     let mut model = Model::<SLOTS>::EMPTY;
-    let mut decoder = RowsDecoder::new(&mut model, payload);
-    rows.for_each(|row| decoder.row(alphabet, above, row));
-    decoder.is_exact()
+    model.restart(&START);
+    let mut coder = Decoder::new(&mut model, payload);
+    let mut start = Start { left: alphabet.pixel(0), is_first: true };
+    for row in rows {
+        let mut line = Sink { row, first: start.left };
+        rows::code(&mut coder, alphabet, above, &mut line, start);
+        start = Start { left: line.first, is_first: false };
+    }
+    coder.is_exact()
 }
 
 fn bits<'r>(
@@ -70,10 +79,42 @@ fn bits<'r>(
 ) -> bool {
     let above = above.get_mut(..PixelFormat::Mono.row_bytes(width)).unwrap_or_default();
     let mut model = Model::<{ bilevel::CONTEXTS }>::EMPTY;
-    let mut decoder = BilevelDecoder::new(&mut model, above, payload);
+    model.restart(&bilevel::START);
+    above.fill(0);
+    let mut coder = Decoder::new(&mut model, payload);
     for row in rows {
-        decoder.row(above, width.into());
+        bilevel::code(&mut coder, above, width.into(), |_| false);
         row.iter_mut().zip(&*above).for_each(|(to, from)| *to = *from as u8);
     }
-    decoder.is_exact()
+    coder.is_exact()
+}
+
+/// A row that is written, as bytes.
+struct Sink<'a, P> {
+    row: &'a mut [u8],
+    /// The pixel in the first column.
+    first: P,
+}
+
+impl<P: Channels> Line<P> for Sink<'_, P> {
+    fn get(&self, _: usize) -> Option<P> {
+        None
+    }
+
+    fn holds(&self, _: usize, _: usize, _: P) -> bool {
+        false
+    }
+
+    fn fill(&mut self, from: usize, to: usize, pixel: P) {
+        if from == 0 {
+            self.first = pixel;
+        }
+        let bytes = pixel.bytes();
+        let bytes = bytes.as_ref();
+        let (from, to) = (from * bytes.len(), to * bytes.len());
+        let places = self.row.get_mut(from..to).unwrap_or_default();
+        for (to, byte) in places.iter_mut().zip(bytes.iter().cycle()) {
+            *to = *byte;
+        }
+    }
 }

@@ -1,123 +1,8 @@
-//! A line that loses, damages and repeats what it carries, for tests.
-//!
-//! Put a [`Line`] between the two ends of your program, one for each direction, and see whether it still
-//! does what it should. The same [`Faults`] and the same seed give the same faults on every machine.
-//!
-//! ```
-//! use scancsg::render::{Gray8, Palette};
-//! use scancsg::stream::faults::{Faults, Line};
-//! use scancsg::stream::{
-//!     Delivery, Event, FrameHeader, Memory, Patience, PixelFormat, Plain, Receiver, Sender, Task,
-//!     Timing, packet_capacity,
-//! };
-//!
-//! const CAPACITY: usize = packet_capacity(32, PixelFormat::Gray8);
-//! // One byte in a hundred is damaged on the way there, one packet in five is lost on the way back.
-//! let mut there = Line::<4096>::new(Faults { flipped: 0.01, ..Faults::NONE }, 1);
-//! let mut back = Line::<64>::new(Faults { packets_dropped: 0.2, ..Faults::NONE }, 2);
-//!
-//! let mut sender = Sender::<_, CAPACITY>::new(Plain, Patience { ticks: 100, silences: 50 });
-//! let (format, palette) = (PixelFormat::Gray8, Palette::EMPTY);
-//! sender.begin(FrameHeader { frame: 1, width: 32, height: 24, format, palette })?;
-//! let (mut pixels, mut rows) = ([0; 32 * 24], [false; 24]);
-//! let memory = Memory { pixels: &mut pixels, rows: &mut rows, above: &mut [] };
-//! let mut receiver = Receiver::<CAPACITY>::new(memory, Timing { ask: 400, give_up: 10_000 });
-//!
-//! let mut now = 0;
-//! let delivery = loop {
-//!     now += 1;
-//!     match sender.poll(now) {
-//!         Task::Send(packet) => {
-//!             packet.iter().for_each(|byte| there.push(*byte, now));
-//!             sender.sent(now);
-//!         }
-//!         Task::Row(y) => sender.row(y, &[Gray8(y as u8); 32])?,
-//!         Task::Listen(_) => {}
-//!         Task::Done(delivery) => break delivery,
-//!     }
-//!     while let Some(byte) = there.pop(now) {
-//!         receiver.receive(&mut &[byte][..], now);
-//!     }
-//!     receiver.poll(now);
-//!     while let Some(answer) = receiver.answer() {
-//!         answer.iter().for_each(|byte| back.push(*byte, now));
-//!     }
-//!     while let Some(byte) = back.pop(now) {
-//!         sender.receive(byte, now);
-//!     }
-//! };
-//! assert!(matches!(delivery, Delivery::Acknowledged { repairs } if repairs > 0));
-//! assert!(receiver.frame().is_complete());
-//! # Ok::<(), scancsg::stream::EncodeError>(())
-//! ```
+//! One direction of a line, with its faults.
 
+use super::random::Random;
+use super::rates::{Counts, Faults};
 use heapless::{Deque, Vec};
-
-/// What a [`Line`] does to bytes and packets.
-///
-/// Rates are shares: 0.001 is one in a thousand, 0 never, 1 always. A packet is what a zero byte ends.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Faults {
-    /// The share of bytes in which one bit is flipped.
-    pub flipped: f32,
-    /// The share of bytes that are lost.
-    pub dropped: f32,
-    /// The share of packets that are lost.
-    pub packets_dropped: f32,
-    /// The share of packets that come twice: the second time up to three packets later. Only those of up
-    /// to 256 bytes do, and one at a time.
-    pub packets_repeated: f32,
-    /// The share of bytes that a burst begins at. In a burst, each byte is lost or becomes any other.
-    pub bursts: f32,
-    /// The length of the longest burst in bytes. The shortest is an eighth of it.
-    pub burst_bytes: u16,
-    /// The share of bytes that the line stalls at: what goes in waits, and then comes out all at once.
-    pub stalls: f32,
-    /// The length of the longest stall in ticks.
-    pub stall_ticks: u32,
-    /// The line is cut after so many bytes: no more come out.
-    pub cut: Option<u64>,
-}
-
-impl Faults {
-    /// None.
-    pub const NONE: Self = Self {
-        flipped: 0.0,
-        dropped: 0.0,
-        packets_dropped: 0.0,
-        packets_repeated: 0.0,
-        bursts: 0.0,
-        burst_bytes: 0,
-        stalls: 0.0,
-        stall_ticks: 0,
-        cut: None,
-    };
-}
-
-/// How often a [`Line`] did what.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Counts {
-    /// Bytes that went in.
-    pub bytes: u64,
-    /// Bytes in which a bit was flipped.
-    pub flipped: u64,
-    /// Bytes that were lost one by one.
-    pub dropped: u64,
-    /// Packets that began.
-    pub packets: u64,
-    /// Packets that were lost.
-    pub packets_dropped: u64,
-    /// Packets that came twice.
-    pub packets_repeated: u64,
-    /// Bursts.
-    pub bursts: u64,
-    /// Stalls.
-    pub stalls: u64,
-    /// Bytes that found the receive buffer full.
-    pub overflowed: u64,
-}
 
 /// The longest packet that can come twice.
 const COPY: usize = 256;
@@ -272,32 +157,6 @@ impl<const N: usize> Line<N> {
             byte ^= 1 << self.random.below(8);
         }
         self.counts.overflowed += u64::from(self.received.push_back(byte).is_err());
-    }
-}
-
-/// SplitMix64 (G. Steele, D. Lea, C. Flood, OOPSLA 2014).
-#[derive(Debug)]
-struct Random(u64);
-
-impl Random {
-    /// 32 even bits.
-    fn next(&mut self) -> u32 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((mixed ^ (mixed >> 31)) >> 32) as u32
-    }
-
-    /// A number less than `n`, and 0 for 0.
-    fn below(&mut self, n: u32) -> u32 {
-        ((u64::from(self.next()) * u64::from(n)) >> 32) as u32
-    }
-
-    /// True in this share of times. A rate of 0 or less, or NaN, is never; a rate of 1 or more is always.
-    fn chance(&mut self, share: f32) -> bool {
-        const TWO_TO_THE_32: f32 = 4_294_967_296.0;
-        // Nothing is drawn for what never happens, so that one fault does not change another one's places.
-        share > 0.0 && u64::from(self.next()) < (share * TWO_TO_THE_32) as u64
     }
 }
 

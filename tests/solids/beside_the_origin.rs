@@ -1,10 +1,10 @@
 //! Lines at cylinders beside the origin, against double precision.
 
-use crate::geom::{Ray, vec3};
-use crate::solid::{Cylinder, RayCast};
-use crate::span::SpanList;
 use proptest::prelude::*;
-use std::vec::Vec;
+use scancsg::geom::{Axis, Ray, Vec3};
+use scancsg::scalar::Scalar;
+use scancsg::solid::{Cylinder, RayCast};
+use scancsg::span::SpanList;
 
 /// How many units in the last place of the true number another one is off.
 fn units_off(got: f32, want: f64) -> f64 {
@@ -12,18 +12,16 @@ fn units_off(got: f32, want: f64) -> f64 {
     (f64::from(got) - want).abs() / (f64::from(size.next_up()) - f64::from(size))
 }
 
-macro_rules! spans {
-    ($Float:ident, $o:expr, $d:expr, $at:expr) => {{
-        let ([ox, oy, oz], [dx, dy, dz], [y, z, r]) =
-            ($o.map($Float::from), $d.map($Float::from), $at.map($Float::from));
-        let solid = Cylinder::<$Float>::along_x(y, z, r, -9.0, 9.0).ok();
-        let ray = Ray::<$Float>::new(vec3(ox, oy, oz), vec3(dx, dy, dz)).ok();
-        let mut list = SpanList::<$Float, 1>::new();
-        let spans = solid.zip(ray).map(|(solid, ray)| {
-            solid.trace(&ray, &mut list).iter().map(|s| [s.enter.t, s.exit.t]).collect()
-        });
-        spans.unwrap_or_else(Vec::<[$Float; 2]>::new)
-    }};
+/// Where a line is inside a cylinder along x, beside the origin.
+fn spans<S: Scalar + From<f32>>(o: [f32; 3], d: [f32; 3], [y, z, r]: [f32; 3]) -> Vec<[S; 2]> {
+    let (origin, direction) = (Vec3::from(o.map(S::from)), Vec3::from(d.map(S::from)));
+    let at = [y, z].map(S::from);
+    let solid = Cylinder::along(Axis::X, at, r.into(), (-9.0).into(), 9.0.into()).ok();
+    let mut list = SpanList::<S, 1>::new();
+    let spans = solid.zip(Ray::new(origin, direction).ok()).map(|(solid, ray)| {
+        solid.trace(&ray, &mut list).iter().map(|s| [s.enter.t, s.exit.t]).collect()
+    });
+    spans.unwrap_or_default()
 }
 
 proptest! {
@@ -37,8 +35,8 @@ proptest! {
         let distance = r * (1.0 + gap);
         let o = [0.0, y + distance * cos - back * sin, z + distance * sin + back * cos];
         let d = [tilt, -sin, cos];
-        let got = spans!(f32, o, d, [y, z, r]);
-        let want = spans!(f64, o, d, [y, z, r]);
+        let got = spans::<f32>(o, d, [y, z, r]);
+        let want = spans::<f64>(o, d, [y, z, r]);
         prop_assert_eq!(got.len(), want.len());
         for (got, want) in got.iter().flatten().zip(want.iter().flatten()) {
             prop_assert!(units_off(*got, *want) < 6.0, "{got} not {want}");
@@ -55,8 +53,8 @@ proptest! {
         let distance = r * (1.0 - 10f32.powf(depth));
         let o = [0.0, y + distance * cos - back * sin, z + distance * sin + back * cos];
         let d = [tilt, sin, -cos];
-        let got = spans!(f32, o, d, [y, z, r]);
-        let want = spans!(f64, o, d, [y, z, r]);
+        let got = spans::<f32>(o, d, [y, z, r]);
+        let want = spans::<f64>(o, d, [y, z, r]);
         // Near (0, 0, 0), a line is counted from there, and parameters near 0 are rounded as it is.
         prop_assume!((o[1] * d[2] - o[2] * d[1]).abs() > 0.1);
         // A ray that misses by what its own numbers are rounded to may be either.
@@ -79,8 +77,8 @@ fn half_way_between_two_numbers_as_well() {
             // At the axis, past it by half of the radius, and away from it.
             for aim in [[-side, -z], [-side, r / 2.0 - z], [side, z]] {
                 let (o, d) = ([0.0, side, z], [tilt, aim[0], aim[1]]);
-                let got = spans!(f32, o, d, [0.0, 0.0, r]);
-                let want = spans!(f64, o, d, [0.0, 0.0, r]);
+                let got = spans::<f32>(o, d, [0.0, 0.0, r]);
+                let want = spans::<f64>(o, d, [0.0, 0.0, r]);
                 assert_eq!((got.len(), want.len()), (1, 1), "{o:?} {d:?}");
                 for (got, want) in got.iter().flatten().zip(want.iter().flatten()) {
                     let error = (f64::from(*got) - want).abs() / want.abs();

@@ -1,12 +1,19 @@
 //! The decoder once more, written from its description as plainly as can be: tables of all pixels, rows as
-//! lists, 64-bit arithmetic. It takes nothing from the coder but the start table.
+//! lists, 64-bit arithmetic. It takes nothing from the coder; the start table is that of the description.
 
 use std::iter::{Copied, repeat_n};
 use std::slice::Iter;
-use std::vec;
-use std::vec::Vec;
 
-use super::start::START;
+const DESCRIPTION: &str = include_str!("../../docs/link_rows.md");
+
+/// The start table.
+fn start_table() -> impl Iterator<Item = u64> {
+    let (_, rest) = DESCRIPTION.split_once("in hexadecimal:\n\n```text\n").unwrap();
+    let (table, _) = rest.split_once("```").unwrap();
+    let digits: Vec<u64> =
+        table.chars().filter_map(|digit| digit.to_digit(16)).map(u64::from).collect();
+    digits.chunks_exact(2).map(|pair| pair[0] * 16 + pair[1]).collect::<Vec<_>>().into_iter()
+}
 
 /// A pixel's channels.
 pub(super) type Pixel = Vec<i64>;
@@ -27,7 +34,7 @@ pub(super) struct Reference<'a> {
 
 impl<'a> Reference<'a> {
     pub(super) fn new(payload: &'a [u8], symbols: &'a [Pixel], most: &'a [i64]) -> Self {
-        let probabilities = START.iter().map(|start| u64::from(*start) * 256 + 128).collect();
+        let probabilities = start_table().map(|start| start * 256 + 128).collect();
         let (bytes, left) = (payload.iter().copied(), symbols[0].clone());
         let (low, high, value, above) = (0, 0xFFFF_FFFF, 0, None);
         let mut new = Self { probabilities, bytes, low, high, value, symbols, most, left, above };
