@@ -1,13 +1,14 @@
-//! Solids as large as formats with few fraction bits allow, seen from within and from beside: pictures against
-//! the same in `f64`. Squares of such lengths leave the range of the numbers that set up a picture.
+//! Pictures in perspective at the ends of fixed-point formats, against the same in `f64`.
+//!
+//! Solids as large as a format with few fraction bits allows: squares of such lengths leave the range of the
+//! numbers that set up a picture. Eyes so near to their target that half a pixel there has few digits.
 
 #![allow(clippy::unwrap_used)]
 
 use fixed::FixedI32;
-use fixed::types::extra::{U8, U10, U12, U16};
-use scancsg::geom::PerspectiveRays;
-use scancsg::geom::{Axis, Vec3};
-use scancsg::render::{Gray8, Lambert, Perspective, Picture, Size};
+use fixed::types::extra::{U8, U10, U12, U16, U20, U24, U28};
+use scancsg::geom::{Axis, PerspectiveRays, Vec3};
+use scancsg::render::{CameraError, Gray8, Lambert, Perspective, Picture, Size};
 use scancsg::scalar::{FixedPoint, Scalar};
 use scancsg::scan::Scan;
 use scancsg::solid::{ByLine, Cone, Cuboid, Cylinder, Solid};
@@ -68,13 +69,18 @@ fn seen<S: Scalar>(case: &Case) -> Option<Vec<bool>> {
     }
 }
 
+fn camera<S: Scalar>(case: &Case) -> Result<Perspective<S>, CameraError> {
+    let [eye, target] = [case.eye, case.target].map(vector);
+    // Exact in all formats.
+    let up = vector([0.3125, 0.875, -0.25]);
+    Perspective::look_at(eye, target, up, S::from_f64(case.field))
+}
+
 fn taken<S: Scalar, T>(solid: &T, case: &Case) -> Option<Vec<bool>>
 where
     T: Solid<Scalar = S> + Scan<PerspectiveRays<S>>,
 {
-    let [eye, target] = [case.eye, case.target].map(vector::<S>);
-    let up = vector([0.3125, 0.875, -0.25]);
-    let camera = Perspective::look_at(eye, target, up, S::from_f64(case.field)).ok()?;
+    let camera = camera::<S>(case).ok()?;
     let light = Lambert::new(vector([0.0, 0.0, 1.0]), S::ONE).unwrap();
     let size = Size::new(COLUMNS * STEP + 1, ROWS * STEP + 1).unwrap();
     let mut picture = Picture::new(solid, &camera, size, light, Gray8(0));
@@ -88,7 +94,7 @@ where
 }
 
 /// A solid of any kind, and an eye in it or beside it, which looks along it or anywhere.
-fn case(random: &mut Random, largest: f64, unit: f64) -> Case {
+fn large(random: &mut Random, largest: f64, unit: f64) -> Case {
     let held = |x: f64| (x / unit).round() * unit;
     let reach = largest * random.between(0.02, 0.99);
     let kind = random.below(6);
@@ -131,43 +137,96 @@ fn case(random: &mut Random, largest: f64, unit: f64) -> Case {
     Case { kind, axis, at, to, radii, eye, target, field: held(random.between(0.2, 1.5)) }
 }
 
-/// Pixels beside which `f64` sees the same all around are seen alike.
-fn check<S: FixedPoint>() {
-    let (largest, unit) = (S::MAX_COORDINATE.to_f64(), S::from_bits(1).to_f64());
-    let mut random = Random::named("large solids");
-    let (mut pictures, mut pixels) = (0, 0);
-    for _ in 0..500 {
-        let case = case(&mut random, largest, unit);
-        let (Some(got), Some(want)) = (seen::<S>(&case), seen::<f64>(&case)) else { continue };
-        pictures += 1;
-        let at = |x: u16, y: u16| usize::from(y) * usize::from(COLUMNS) + usize::from(x);
-        for y in 1..ROWS - 1 {
-            for x in 1..COLUMNS - 1 {
-                let sees = want[at(x, y)];
-                let around = (y - 1..=y + 1).flat_map(|y| (x - 1..=x + 1).map(move |x| (x, y)));
-                if around.into_iter().all(|(x, y)| want[at(x, y)] == sees) {
-                    pixels += usize::from(sees);
-                    assert_eq!(got[at(x, y)], sees, "column {x}, row {y} of {case:?}");
-                }
+/// A solid some way before an eye whose target is `distance` away.
+fn near(random: &mut Random, largest: f64, unit: f64, distance: f64) -> Case {
+    let held = |x: f64| (x / unit).round() * unit;
+    let reach = 0.4 * largest.min(8.0);
+    let eye = random.point(0.3 * reach).map(held);
+    let way = random.direction();
+    let target: [f64; 3] = std::array::from_fn(|i| held(eye[i] + distance * way[i]));
+    let far = reach * random.between(0.1, 1.0);
+    let mut beside = |from: f64| random.point(0.3 * far).map(|x| x + from);
+    let (one, other) = (beside(0.0), beside(0.0));
+    let at: [f64; 3] = std::array::from_fn(|i| held(eye[i] + far * way[i] + one[i]));
+    let to: [f64; 3] = std::array::from_fn(|i| held(eye[i] + far * way[i] + other[i]));
+    let radii = [(); 2].map(|()| held(far * random.between(0.05, 0.5)));
+    let axis = [Axis::X, Axis::Y, Axis::Z][random.below(3)];
+    let (kind, field) = (random.below(6), held(random.between(0.3, 0.9)));
+    Case { kind, axis, at, to, radii, eye, target, field }
+}
+
+/// Pixels beside which `f64` sees the same all around are seen alike. How many of them see the solid, if there
+/// is a picture.
+fn check_alike<S: Scalar>(case: &Case) -> Option<usize> {
+    let (got, want) = (seen::<S>(case)?, seen::<f64>(case)?);
+    let mut pixels = 0;
+    let at = |x: u16, y: u16| usize::from(y) * usize::from(COLUMNS) + usize::from(x);
+    for y in 1..ROWS - 1 {
+        for x in 1..COLUMNS - 1 {
+            let sees = want[at(x, y)];
+            let mut around = (y - 1..=y + 1).flat_map(|y| (x - 1..=x + 1).map(move |x| (x, y)));
+            if around.all(|(x, y)| want[at(x, y)] == sees) {
+                pixels += usize::from(sees);
+                assert_eq!(got[at(x, y)], sees, "column {x}, row {y} of {case:?}");
             }
         }
     }
-    println!("{largest}: {pictures} pictures, {pixels} pixels");
-    assert!(pictures > 300 && pixels > 20_000, "{pictures} pictures, {pixels} pixels");
+    Some(pixels)
+}
+
+fn check_large<S: FixedPoint>() {
+    let (largest, unit) = (S::MAX_COORDINATE.to_f64(), S::from_bits(1).to_f64());
+    let mut random = Random::named("large solids");
+    let cases = (0..500).map(|_| large(&mut random, largest, unit));
+    let pixels: Vec<usize> = cases.filter_map(|case| check_alike::<S>(&case)).collect();
+    let sum: usize = pixels.iter().sum();
+    assert!(pixels.len() > 300 && sum > 20_000, "{} pictures, {sum} pixels", pixels.len());
+}
+
+fn check_near<S: FixedPoint>() {
+    let (largest, unit) = (S::MAX_COORDINATE.to_f64(), S::from_bits(1).to_f64());
+    let mut random = Random::named("near targets");
+    let (mut pictures, mut pixels, mut refused) = (0, 0, 0);
+    for _ in 0..300 {
+        // From a few units to a quarter.
+        let distance = 0.25 * (4.0 * unit).powf(random.between(0.0, 1.0));
+        let case = near(&mut random, largest, unit, distance);
+        let (eye, target) = (case.eye, case.target);
+        let apart = (0..3).map(|i| (eye[i] - target[i]).powi(2)).sum::<f64>().sqrt();
+        let is_too_near = camera::<S>(&case) == Err(CameraError::TooNear);
+        assert_eq!(is_too_near, apart < 1.0 / 1024.0, "{apart} in {case:?}");
+        assert!(camera::<f64>(&case).is_ok(), "{case:?}");
+        if is_too_near {
+            refused += 1;
+        } else if let Some(seen) = check_alike::<S>(&case) {
+            pictures += 1;
+            pixels += seen;
+        }
+    }
+    assert!(pictures > 80 && pixels > 5_000, "{pictures} pictures, {pixels} pixels");
+    assert!(refused > 20, "{refused}");
 }
 
 macro_rules! formats {
-    ($($test:ident: $bits:ident,)+) => { $(
+    ($check:ident: $($test:ident $bits:ident,)+) => { $(
         #[test]
         fn $test() {
-            check::<FixedI32<$bits>>();
+            $check::<FixedI32<$bits>>();
         }
     )+ };
 }
 
-formats! {
-    with_8_fraction_bits: U8,
-    with_10_fraction_bits: U10,
-    with_12_fraction_bits: U12,
-    with_16_fraction_bits: U16,
+formats! { check_large:
+    large_with_8_fraction_bits U8,
+    large_with_10_fraction_bits U10,
+    large_with_12_fraction_bits U12,
+    large_with_16_fraction_bits U16,
+}
+
+formats! { check_near:
+    near_with_12_fraction_bits U12,
+    near_with_16_fraction_bits U16,
+    near_with_20_fraction_bits U20,
+    near_with_24_fraction_bits U24,
+    near_with_28_fraction_bits U28,
 }
