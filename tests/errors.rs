@@ -140,6 +140,7 @@ fn every_error_has_a_text_of_its_own() {
         Box::new(RayError::ZeroDirection),
         Box::new(CameraError::NotFinite),
         Box::new(CameraError::ZeroDirection),
+        Box::new(CameraError::TooNear),
         Box::new(CameraError::UpAlongView),
         Box::new(CameraError::FrameHeight),
         Box::new(CameraError::FieldOfView),

@@ -164,6 +164,8 @@ enum scancsg_status
     SCANCSG_STATUS_INDEX = 71,
     // The picture shows more of the scene than its number type's range.
     SCANCSG_STATUS_RANGE = 72,
+    // The eye is too near to the target for the number type.
+    SCANCSG_STATUS_TOO_NEAR = 73,
     // The direction of the ray is zero.
     SCANCSG_STATUS_ZERO_RAY = 80,
     // The direction of the ray is too short or too long for the number type.

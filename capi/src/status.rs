@@ -97,6 +97,8 @@ pub enum Status {
     Index = 71,
     /// The picture shows more of the scene than its number type's range.
     Range = 72,
+    /// The eye is too near to the target for the number type.
+    TooNear = 73,
 
     /// The direction of the ray is zero.
     ZeroRay = 80,
@@ -106,7 +108,7 @@ pub enum Status {
     Spans = 82,
 }
 
-const TEXTS: [(Status, &CStr); 41] = [
+const TEXTS: [(Status, &CStr); 42] = [
     (Status::Ok, c"it is done"),
     (Status::Null, c"a pointer is null"),
     (Status::Alignment, c"a pointer isn't aligned as its type must be"),
@@ -145,6 +147,7 @@ const TEXTS: [(Status, &CStr); 41] = [
     (Status::Size, c"the width or the height is zero"),
     (Status::Index, c"a row or a column isn't inside the picture"),
     (Status::Range, c"the picture shows more than its number type's range"),
+    (Status::TooNear, c"the eye is too near to the target for the number type"),
     (Status::ZeroRay, c"the direction of the ray is zero"),
     (Status::RayLength, c"the direction of the ray is too short or too long"),
     (Status::Spans, c"the ray has more spans than there is room for"),
@@ -194,7 +197,7 @@ from! {
         Kind => Kind, Solid => Solid, Pose => Motion, Tree => Tree,
     }
     CameraError {
-        NotFinite => NotFinite, ZeroDirection => ZeroDirection, TooFar => TooFar,
+        NotFinite => NotFinite, ZeroDirection => ZeroDirection, TooNear => TooNear, TooFar => TooFar,
         UpAlongView => UpAlongView, FrameHeight => FrameHeight, FieldOfView => FieldOfView,
     }
     ShadeError { LightDirection => LightDirection, Ambient => Ambient, }

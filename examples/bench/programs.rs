@@ -30,7 +30,7 @@ macro_rules! programs {
             $(#[$condition])?
             #[inline(never)]
             fn $rows(rows: Option<Range<u16>>) {
-                let Some(part) = black_box($program) else { return };
+                let Ok(part) = black_box($program) else { return };
                 let Some(rows) = rows else { return };
                 let (Ok(camera), Some(light)) = (Number::$camera(), light()) else { return };
                 let Ok(size) = Size::new(WIDTH, HEIGHT) else { return };

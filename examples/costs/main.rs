@@ -18,7 +18,7 @@ type Number = scancsg::scalar::I16F16;
 #[cfg(target_os = "none")]
 #[board::entry]
 fn main() -> ! {
-    let is_seen = uses::all::<Number>().is_some_and(|sum| sum > 0);
+    let is_seen = uses::all::<Number>().is_ok_and(|sum| sum > 0);
     board::log!(info, "something is seen: {=bool}", is_seen);
     loop {
         board::finish(is_seen);

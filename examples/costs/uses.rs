@@ -3,6 +3,7 @@
 use crate::scene::Scene;
 #[cfg(any(feature = "serde", feature = "mint"))]
 use core::hint::black_box;
+use scancsg::Error;
 use scancsg::geom::OrthographicRays;
 use scancsg::render::{Gray8, Lambert, Orthographic, Picture, RowSource, Size};
 use scancsg::solid::{Cuboid, Cylinder, Scan, Solid, Sphere};
@@ -11,39 +12,39 @@ const WIDTH: u16 = 160;
 const HEIGHT: u16 = 120;
 
 /// A number made of everything that is done, so that nothing is left out.
-pub fn all<S: Scene>() -> Option<u32>
+pub fn all<S: Scene>() -> Result<u32, Error>
 where
     Cylinder<S>: Scan<OrthographicRays<S>, Scalar = S>,
     Cuboid<S>: Scan<OrthographicRays<S>, Scalar = S>,
     Sphere<S>: Scan<OrthographicRays<S>, Scalar = S>,
 {
-    let camera = S::orthographic().ok()?;
+    let camera = S::orthographic()?;
     let seen = if cfg!(feature = "program") {
         used(&crate::scene::program::tee::<S>()?, &camera)?
     } else {
         used(&S::TEE, &camera)?
     };
     let of_vectors: [u32; 2] = [mint::<S>(), serde()?];
-    Some(of_vectors.into_iter().fold(seen, u32::wrapping_add))
+    Ok(of_vectors.into_iter().fold(seen, u32::wrapping_add))
 }
 
 /// Renders a part, and does with the picture what features say.
-fn used<S: Scene, T>(part: &T, camera: &Orthographic<S>) -> Option<u32>
+fn used<S: Scene, T>(part: &T, camera: &Orthographic<S>) -> Result<u32, Error>
 where
     T: Solid + Scan<OrthographicRays<S>, Scalar = S>,
 {
-    let light = Lambert::new(S::TO_LIGHT, S::hundredths(15)).ok()?;
-    let size = Size::new(WIDTH, HEIGHT).ok()?;
+    let light = Lambert::new(S::TO_LIGHT, S::hundredths(15))?;
+    let size = Size::new(WIDTH, HEIGHT)?;
     let mut picture = Picture::new(part, camera, size, light, Gray8(0));
     let picture: &mut dyn RowSource<Pixel = Gray8> = &mut picture;
     let drawn = [plain(picture)?, predictive(picture)?, in_futures(picture)?, drawn(picture)?];
     let mut row = [Gray8(0); WIDTH as usize];
     let mut sum = drawn.into_iter().fold(0, u32::wrapping_add);
     for y in 0..HEIGHT {
-        picture.render(y, &mut row).ok()?;
+        picture.render(y, &mut row)?;
         sum += row.iter().map(|pixel| u32::from(pixel.0)).sum::<u32>();
     }
-    Some(sum)
+    Ok(sum)
 }
 
 /// A line that nobody is at.
@@ -86,29 +87,29 @@ mod line {
 
 /// Declares a use: what it does with the feature, and nothing without it.
 macro_rules! uses {
-    ($($feature:literal: $name:ident($($source:ident)?) -> Option<u32> $body:block)+) => {$(
+    ($($feature:literal: $name:ident($($source:ident)?) -> Result<u32, Error> $body:block)+) => {$(
         #[cfg(feature = $feature)]
-        fn $name($($source: &mut dyn RowSource<Pixel = Gray8>)?) -> Option<u32> $body
+        fn $name($($source: &mut dyn RowSource<Pixel = Gray8>)?) -> Result<u32, Error> $body
 
         #[cfg(not(feature = $feature))]
-        fn $name($($source: &mut dyn RowSource<Pixel = Gray8>)?) -> Option<u32> {
+        fn $name($($source: &mut dyn RowSource<Pixel = Gray8>)?) -> Result<u32, Error> {
             $(let _ = $source;)?
-            Some(0)
+            Ok(0)
         }
     )+};
 }
 
 uses! {
-    "plain": plain(picture) -> Option<u32> {
+    "plain": plain(picture) -> Result<u32, Error> {
         use scancsg::stream::{Looks, Patience, PixelFormat, Plain, Sender, row_capacity, serve};
         const PACKET: usize = row_capacity(WIDTH, PixelFormat::Gray8);
         let mut sender = Sender::<_, PACKET>::new(Plain, Patience { ticks: 1000, silences: 1 });
         let mut row = [Gray8(0); WIDTH as usize];
-        serve(picture, 0, &mut sender, &mut Line, &mut row, &mut Looks::new()).ok()?;
-        Some(sender.bytes_sent() as u32)
+        serve(picture, 0, &mut sender, &mut Line, &mut row, &mut Looks::new())?;
+        Ok(sender.bytes_sent() as u32)
     }
 
-    "predictive": predictive(picture) -> Option<u32> {
+    "predictive": predictive(picture) -> Result<u32, Error> {
         use scancsg::stream::{
             Looks, Patience, PixelFormat, Predictive, Sender, packet_capacity, serve,
         };
@@ -116,24 +117,26 @@ uses! {
         let coding = Predictive::<Gray8, { WIDTH as usize }>::new();
         let mut sender = Sender::<_, PACKET>::new(coding, Patience { ticks: 1000, silences: 1 });
         let mut row = [Gray8(0); WIDTH as usize];
-        serve(picture, 0, &mut sender, &mut Line, &mut row, &mut Looks::new()).ok()?;
-        Some(sender.bytes_sent() as u32)
+        serve(picture, 0, &mut sender, &mut Line, &mut row, &mut Looks::new())?;
+        Ok(sender.bytes_sent() as u32)
     }
 
-    "async": in_futures(picture) -> Option<u32> {
+    "async": in_futures(picture) -> Result<u32, Error> {
         futures::sent(picture)
     }
 
-    "embedded-graphics": drawn(picture) -> Option<u32> {
+    "embedded-graphics": drawn(picture) -> Result<u32, Error> {
         display::drawn(picture)
     }
 
-    "serde": serde() -> Option<u32> {
+    "serde": serde() -> Result<u32, Error> {
+        use scancsg::program::BytesError;
+        use scancsg::stream::EncodeError;
         let mut bytes = [0; 32];
-        let size = black_box(Size::new(WIDTH, HEIGHT).ok()?);
-        let text = postcard::to_slice(&size, &mut bytes).ok()?;
-        let read: Size = postcard::from_bytes(black_box(text)).ok()?;
-        Some(read.width().into())
+        let size = black_box(Size::new(WIDTH, HEIGHT)?);
+        let text = postcard::to_slice(&size, &mut bytes).map_err(|_| EncodeError::BufferTooSmall)?;
+        let read: Size = postcard::from_bytes(black_box(text)).map_err(|_| BytesError::Length)?;
+        Ok(read.width().into())
     }
 }
 
@@ -157,6 +160,7 @@ mod futures {
     use core::future::{Future, pending};
     use core::pin::pin;
     use core::task::{Context, Poll, Waker};
+    use scancsg::Error;
     use scancsg::render::{Gray8, RowSource};
     use scancsg::stream::{
         AsyncClock, Patience, PixelFormat, Predictive, Sender, packet_capacity, serve_async,
@@ -193,7 +197,7 @@ mod futures {
         }
     }
 
-    pub fn sent(picture: &mut dyn RowSource<Pixel = Gray8>) -> Option<u32> {
+    pub fn sent(picture: &mut dyn RowSource<Pixel = Gray8>) -> Result<u32, Error> {
         let coding = Predictive::<Gray8, { WIDTH as usize }>::new();
         let mut sender = Sender::<_, PACKET>::new(coding, Patience { ticks: 1000, silences: 1 });
         let mut row = [Gray8(0); WIDTH as usize];
@@ -205,14 +209,14 @@ mod futures {
             loop {
                 match all.as_mut().poll(&mut context) {
                     Poll::Ready(delivery) => {
-                        delivery.ok()?;
+                        delivery?;
                         break;
                     }
                     Poll::Pending => {}
                 }
             }
         }
-        Some(sender.bytes_sent() as u32)
+        Ok(sender.bytes_sent() as u32)
     }
 }
 
@@ -225,6 +229,7 @@ mod display {
     use embedded_graphics_core::pixelcolor;
     use embedded_graphics_core::prelude::{DrawTarget, Pixel};
     use embedded_graphics_core::primitives::Rectangle;
+    use scancsg::Error;
     use scancsg::interop::embedded_graphics::draw;
     use scancsg::render::{Gray8, RowSource};
 
@@ -252,10 +257,10 @@ mod display {
         }
     }
 
-    pub fn drawn(picture: &mut dyn RowSource<Pixel = Gray8>) -> Option<u32> {
+    pub fn drawn(picture: &mut dyn RowSource<Pixel = Gray8>) -> Result<u32, Error> {
         let mut row = [Gray8(0); WIDTH as usize];
         let window = Rectangle::new(Point::zero(), Size::new(160, 120));
-        draw(picture, Point::zero(), &mut row, &mut Dark, &window).ok()?;
-        Some(1)
+        draw(picture, Point::zero(), &mut row, &mut Dark, &window)?;
+        Ok(1)
     }
 }

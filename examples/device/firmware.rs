@@ -9,6 +9,7 @@ use crate::scene::Scene;
 use crate::scene::fit::Fit;
 use embedded_io::{Read, ReadReady, Write};
 use number::Number;
+use scancsg::Error;
 use scancsg::render::{Gray8, Lambert, Picture, Size};
 use scancsg::solid::Solid;
 use scancsg::stream::{
@@ -38,21 +39,21 @@ const PATIENCE: Patience = Patience { ticks: 500_000, silences: 3 };
 
 type Device = Sender<Predictive<Gray8, { WIDTH as usize }>, PACKET>;
 
-/// Sends the picture of a part. `None` if the part has none: it has no end, or is too far away.
+/// Sends the picture of a part. An error if the part has none: it has no end, or is too far away.
 #[inline(never)]
 fn show(
     part: &Part<Number>,
     frame: u16,
     sender: &mut Device,
     line: &mut (impl Read + ReadReady + Write),
-) -> Option<&'static str> {
-    let fit = Fit::of(&part.bounds())?;
-    let camera = fit.orthographic(None).ok()?;
-    let light = Lambert::new(Fit::to_light(), Number::hundredths(15)).ok()?;
-    let size = Size::new(WIDTH, HEIGHT).ok()?;
+) -> Result<&'static str, Error> {
+    let fit = Fit::of(&part.bounds()).ok_or(Refusal::Invalid)?;
+    let camera = fit.orthographic(None)?;
+    let light = Lambert::new(Fit::to_light(), Number::hundredths(15))?;
+    let size = Size::new(WIDTH, HEIGHT)?;
     let mut picture = Picture::new(part, &camera, size, light, Gray8(0));
     let mut row = [Gray8(0); WIDTH as usize];
-    Some(match serve(&mut picture, frame, sender, line, &mut row, &mut Looks::new()) {
+    Ok(match serve(&mut picture, frame, sender, line, &mut row, &mut Looks::new()) {
         Ok(Delivery::Acknowledged { .. }) => "a picture was sent\n",
         Ok(Delivery::Unheard) => "nobody answers\n",
         Err(_) => "the picture can't be sent\n",
@@ -68,7 +69,7 @@ fn answer(
 ) -> &'static str {
     let said = match take(inbox, line, &mut Looks::new()) {
         Ok(bytes) => match Part::from_bytes(bytes) {
-            Ok(part) => show(&part, frame, sender, line).ok_or(Refusal::Invalid),
+            Ok(part) => show(&part, frame, sender, line).map_err(|_| Refusal::Invalid),
             Err(error) => Err(error.into()),
         },
         Err(_) => return "the line failed\n",

@@ -18,7 +18,7 @@ type Number = scancsg::scalar::I16F16;
 #[cfg(target_os = "none")]
 #[board::entry]
 fn main() -> ! {
-    let is_sent = world::sent::<Number>(&mut board::uart()).is_some();
+    let is_sent = world::sent::<Number>(&mut board::uart()).is_ok();
     loop {
         board::finish(is_sent);
     }

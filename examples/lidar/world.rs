@@ -3,10 +3,12 @@
 #![allow(dead_code)] // every user takes what it needs
 
 use embedded_io::Write;
+use scancsg::Error;
 use scancsg::geom::{Axis, Ray, RayError, Vec3, vec3};
 use scancsg::scalar::{I16F16, Scalar};
 use scancsg::solid::{AxisCylinder, CylinderError, RayCast};
 use scancsg::span::SpanList;
+use scancsg::stream::LinkError;
 
 /// The beams of a turn, at equal angles.
 pub const BEAMS: usize = 32;
@@ -128,17 +130,18 @@ impl Bits for I16F16 {
     }
 }
 
-/// Writes what is measured in all frames; `None` if the line takes no more.
-pub fn sent<S: Scalar + Bits>(line: &mut impl Write) -> Option<()> {
+/// Writes what is measured in all frames.
+pub fn sent<S: Scalar + Bits>(line: &mut impl Write) -> Result<(), Error> {
     for frame in 0..FRAMES {
-        let things = things::<S>(frame).ok()?;
+        let things = things::<S>(frame)?;
         for index in 0..BEAMS {
-            let echo = measured(&things, beam(index)).ok()?;
+            let echo = measured(&things, beam(index))?;
             let bits = echo.map_or([u32::MAX; 2], |it| [it.distance.bits(), it.strength.bits()]);
             for bits in bits {
-                line.write_all(&bits.to_le_bytes()).ok()?;
+                line.write_all(&bits.to_le_bytes()).map_err(|_| LinkError::Write)?;
             }
         }
     }
-    line.flush().ok()
+    line.flush().map_err(|_| LinkError::Write)?;
+    Ok(())
 }

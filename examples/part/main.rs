@@ -15,31 +15,32 @@ mod made {
 use core::hint::black_box;
 use core::ops::Range;
 use made::{BYTES, HEIGHT as VIEW_HEIGHT, LOOK, Part};
+use scancsg::Error;
 use scancsg::geom::Vec3;
 use scancsg::render::{Gray8, Lambert, Orthographic, Picture, Size};
 
 const WIDTH: u16 = 160;
 const HEIGHT: u16 = 120;
 
-/// Renders some rows; none, if the part can't be seen. The sum of their levels.
+/// Renders some rows. The sum of their levels.
 #[inline(never)]
-fn rows(rows: Range<u16>) -> Option<u32> {
-    let part = Part::from_bytes(black_box(&BYTES)).ok()?;
+fn rows(rows: Range<u16>) -> Result<u32, Error> {
+    let part = Part::from_bytes(black_box(&BYTES))?;
     let [along, target, up] = LOOK.map(Vec3::from);
-    let camera = Orthographic::look_along(along, target, up, VIEW_HEIGHT).ok()?;
+    let camera = Orthographic::look_along(along, target, up, VIEW_HEIGHT)?;
     // From where the camera is.
-    let light = Lambert::new(-along, Default::default()).ok()?;
-    let size = Size::new(WIDTH, HEIGHT).ok()?;
+    let light = Lambert::new(-along, Default::default())?;
+    let size = Size::new(WIDTH, HEIGHT)?;
     let mut picture = Picture::new(&part, black_box(&camera), size, light, Gray8(0));
     picture.prepare();
     let mut pixels = [Gray8(0); WIDTH as usize];
     let mut sum = 0;
     for y in rows {
-        picture.scanline(y).ok()?.render(&mut pixels).ok()?;
+        picture.scanline(y)?.render(&mut pixels)?;
         sum += pixels.iter().map(|pixel| u32::from(pixel.0)).sum::<u32>();
     }
     black_box(&picture);
-    Some(sum)
+    Ok(sum)
 }
 
 #[cfg(target_os = "none")]
@@ -47,13 +48,13 @@ fn rows(rows: Range<u16>) -> Option<u32> {
 fn main() -> ! {
     use board::{Counter, Usage, say, say_number};
     extern "C" fn view(_: u32) {
-        black_box(rows(0..0));
+        let _ = black_box(rows(0..0));
     }
     extern "C" fn row(y: u32) {
-        black_box(rows(y as u16..y as u16 + 1));
+        let _ = black_box(rows(y as u16..y as u16 + 1));
     }
     board::paint();
-    let is_seen = rows(0..HEIGHT).is_some_and(|sum| sum > 0);
+    let is_seen = rows(0..HEIGHT).is_ok_and(|sum| sum > 0);
     let report = |name: &str, count: u32| {
         say(name);
         say(" ");
@@ -74,7 +75,7 @@ fn main() -> ! {
 #[cfg(not(target_os = "none"))]
 fn main() {
     match rows(0..HEIGHT) {
-        Some(sum) => println!("{sum} levels of grey in all"),
-        None => println!("the part can't be rendered"),
+        Ok(sum) => println!("{sum} levels of grey in all"),
+        Err(error) => println!("{error}"),
     }
 }

@@ -9,6 +9,7 @@ mod board;
 #[path = "../scene/mod.rs"]
 mod scene;
 
+use scancsg::Error;
 use scancsg::render::{Gray8, Lambert, Picture, Size};
 use scene::{Scene, Tee};
 
@@ -23,24 +24,24 @@ const HEIGHT: u16 = 120;
 static TEE: Tee<Number> = Number::TEE;
 
 /// The sum of all levels of the picture.
-fn brightness() -> Option<u32> {
-    let camera = Number::orthographic().ok()?;
-    let light = Lambert::new(Number::TO_LIGHT, Number::hundredths(15)).ok()?;
-    let size = Size::new(WIDTH, HEIGHT).ok()?;
+fn brightness() -> Result<u32, Error> {
+    let camera = Number::orthographic()?;
+    let light = Lambert::new(Number::TO_LIGHT, Number::hundredths(15))?;
+    let size = Size::new(WIDTH, HEIGHT)?;
     let mut picture = Picture::new(&TEE, &camera, size, light, Gray8(0));
     let mut row = [Gray8(0); WIDTH as usize];
     let mut sum = 0;
     for y in 0..HEIGHT {
-        picture.scanline(y).ok()?.render(&mut row).ok()?;
+        picture.scanline(y)?.render(&mut row)?;
         sum += row.iter().map(|pixel| u32::from(pixel.0)).sum::<u32>();
     }
-    Some(sum)
+    Ok(sum)
 }
 
 #[cfg(target_os = "none")]
 #[board::entry]
 fn main() -> ! {
-    let is_seen = brightness().is_some_and(|sum| sum > 0);
+    let is_seen = brightness().is_ok_and(|sum| sum > 0);
     loop {
         board::finish(is_seen);
     }
@@ -49,7 +50,7 @@ fn main() -> ! {
 #[cfg(not(target_os = "none"))]
 fn main() {
     match brightness() {
-        Some(sum) => println!("{sum} levels of grey in all"),
-        None => println!("the picture can't be rendered"),
+        Ok(sum) => println!("{sum} levels of grey in all"),
+        Err(error) => println!("{error}"),
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Scene;
 use super::housing::HousingScene;
+use scancsg::Error;
 use scancsg::geom::vec3;
 use scancsg::program::Program;
 use scancsg::solid::{Cuboid, Cylinder, Sphere};
@@ -16,43 +17,42 @@ scancsg::leaves! {
 }
 
 /// `tee` as a program.
-pub fn tee<S: Scene>() -> Option<Program<Part<S>, 10>> {
-    drilled(S::TEE.left().map(Part::Cylinder), S::TEE.right().map(Part::Cylinder))
+pub fn tee<S: Scene>() -> Result<Program<Part<S>, 10>, Error> {
+    let [first, body @ ..] = S::TEE.left().map(Part::Cylinder);
+    drilled(first, body, S::TEE.right().map(Part::Cylinder))
 }
 
 /// `housing` as a program.
-pub fn housing<S: HousingScene>() -> Option<Program<Part<S>, 15>> {
+pub fn housing<S: HousingScene>() -> Result<Program<Part<S>, 15>, Error> {
     let part = S::HOUSING;
-    let body = core::iter::once(Part::Cuboid(*part.left().left()))
-        .chain(part.left().right().map(Part::Cylinder));
+    let (foot, body) = (*part.left().left(), part.left().right().map(Part::Cylinder));
     let bores = part.right().left().map(Part::Cylinder).into_iter();
-    drilled(body, bores.chain(part.right().right().map(Part::Sphere)))
+    drilled(Part::Cuboid(foot), body, bores.chain(part.right().right().map(Part::Sphere)))
 }
 
 /// Parts united, less others.
 fn drilled<S: Scene, const N: usize>(
+    first: Part<S>,
     body: impl IntoIterator<Item = Part<S>>,
     bores: impl IntoIterator<Item = Part<S>>,
-) -> Option<Program<Part<S>, N>> {
-    let mut body = body.into_iter();
-    let mut program = Program::new(body.next()?);
+) -> Result<Program<Part<S>, N>, Error> {
+    let mut program = Program::new(first);
     for part in body {
-        program.push(part).ok()?;
+        program.push(part)?;
     }
-    program.unite(program.operand_count()).ok()?;
+    program.unite(program.operand_count())?;
     for part in bores {
-        program.push(part).ok()?;
+        program.push(part)?;
     }
-    program.subtract(program.operand_count() - 1).ok()?;
-    Some(program)
+    program.subtract(program.operand_count() - 1)?;
+    Ok(program)
 }
 
 /// `field`: a square plate with bosses, domes and holes by turns, one on each square of a grid, `N` parts
 /// with the plate. Whatever N is, they take the same share of the picture.
-pub fn field<S: Scene, const N: usize>() -> Option<Program<Part<S>, N>> {
+pub fn field<S: Scene, const N: usize>() -> Result<Program<Part<S>, N>, Error> {
     let n = S::hundredths;
-    let plate =
-        Cuboid::between(vec3(n(-200), n(-200), n(-10)), vec3(n(200), n(200), n(10))).ok()?;
+    let plate = Cuboid::between(vec3(n(-200), n(-200), n(-10)), vec3(n(200), n(200), n(10)))?;
     let side = (N.isqrt() as i32).max(1);
     let pitch = 400 / side;
     let at = |index: i32| {
@@ -71,5 +71,5 @@ pub fn field<S: Scene, const N: usize>() -> Option<Program<Part<S>, N>> {
     });
     let bosses = indices(1).filter_map(|index| rod(index, 0, 10 + pitch / 2));
     let holes = indices(2).filter_map(|index| rod(index, -20, 20));
-    drilled(core::iter::once(Part::Cuboid(plate)).chain(domes).chain(bosses), holes)
+    drilled(Part::Cuboid(plate), domes.chain(bosses), holes)
 }

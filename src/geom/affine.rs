@@ -165,7 +165,7 @@ impl<S: Scalar> AffineMap<S> {
         let along = |[x, y, z]: [S::Wide; 3]| {
             let part = Vec3::new(x * half.x, y * half.y, z * half.z);
             let sum = part.x.abs() + part.y.abs() + part.z.abs();
-            if is_ball { part.length_squared().sqrt().min(sum) } else { sum }
+            if is_ball { part.length().min(sum) } else { sum }
         };
         Vec3::from(self.rows.map(along))
     }

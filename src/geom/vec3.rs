@@ -76,6 +76,16 @@ impl<T: Number> Vec3<T> {
 }
 
 impl<T: Real> Vec3<T> {
+    /// The length. In fixed point, that of a vector with a coordinate from 2¹⁴ on is computed of 1024ths:
+    /// its own squares would leave the range.
+    pub(crate) fn length(self) -> T {
+        if T::QUANTUM > T::ZERO && self.max_abs() >= T::from_int(1 << 14) {
+            let factor = T::from_int(1024);
+            return (self * (T::ONE / factor)).length_squared().sqrt() * factor;
+        }
+        self.length_squared().sqrt()
+    }
+
     /// The vector after so many steps.
     #[inline]
     pub(crate) fn after_steps(self, step: Self, count: i32) -> Self {

@@ -26,6 +26,9 @@ crate::error_text! {
         /// The viewing direction is zero: the eye lies on the target, or too near to it to have an
         /// inverse distance.
         ZeroDirection => "the camera has no viewing direction: the eye lies on the target",
+        /// In fixed point, the eye is nearer to the target than 2⁻¹⁰: what half a pixel is there would have too
+        /// few digits. The picture stays the same with a target farther away along the same line.
+        TooNear => "the eye of the camera is too near to its target for its number type",
         /// A coordinate of the target, or the eye's distance from it, is larger than [`Scalar::MAX_COORDINATE`].
         TooFar => "the camera is too far away for its number type",
         /// The camera looks along its up vector, or that vector is zero.
@@ -103,7 +106,7 @@ impl<S: Scalar> Orthographic<S> {
     /// picture, and shows `frame_height` units of the scene from its upper to its lower edge.
     ///
     /// # Errors
-    /// [`CameraError`], all but [`FieldOfView`](CameraError::FieldOfView).
+    /// [`CameraError`], all but [`FieldOfView`](CameraError::FieldOfView) and [`TooNear`](CameraError::TooNear).
     pub fn look_at(
         eye: Vec3<S>,
         target: Vec3<S>,
@@ -177,6 +180,10 @@ impl<S: Scalar> Perspective<S> {
         }
         let (sin, cos) = (field_of_view * S::Wide::HALF).sin_cos();
         let distance = frame.forward.dot_compensated(to_target);
+        // In floating point, nothing is nearer than that.
+        if distance < S::Wide::QUANTUM * S::Wide::from_int(1 << 22) {
+            return Err(CameraError::TooNear);
+        }
         if distance > S::MAX_COORDINATE.wide() {
             return Err(CameraError::TooFar);
         }

@@ -10,11 +10,13 @@ use crate::scene::fit::Fit;
 use crate::scene::housing::HousingScene;
 use crate::scene::program::{Part, housing, tee};
 use crate::{elf, toolchain};
+use scancsg::Error;
 use scancsg::geom::OrthographicRays;
 use scancsg::program::Program;
 use scancsg::render::{Gray8, Lambert, Picture, RowSource, Size};
 use scancsg::scalar::I16F16;
 use scancsg::solid::{Scan, Solid};
+use scancsg::stream::Refusal;
 use std::path::Path;
 use std::thread;
 use std::time::Duration;
@@ -43,8 +45,8 @@ fn check_one(board: Board, number: Number) -> Result<(), String> {
     let elf = toolchain::find(board.target())?.build(board, number, "device", &[])?;
     let contents = elf::Contents::read(&elf)?;
     let stack = match number {
-        Number::F32 => talk::<f32>(board, &elf, bytes(&tee::<I16F16>()))?,
-        Number::I16f16 => talk::<I16F16>(board, &elf, bytes(&tee::<f32>()))?,
+        Number::F32 => talk::<f32>(board, &elf, &of_tee::<I16F16>().map_err(text)?)?,
+        Number::I16f16 => talk::<I16F16>(board, &elf, &of_tee::<f32>().map_err(text)?)?,
     };
     println!(
         "{board}, {number}: the host's pictures; {} bytes of flash, {} + {stack} of RAM",
@@ -53,15 +55,22 @@ fn check_one(board: Board, number: Number) -> Result<(), String> {
     Ok(())
 }
 
-/// A program as bytes; nothing if it can't be made.
-fn bytes<S: Scene, const N: usize>(program: &Option<Program<Part<S>, N>>) -> Vec<u8> {
+fn text(error: Error) -> String {
+    error.as_str().to_owned()
+}
+
+fn of_tee<S: Scene>() -> Result<Vec<u8>, Error> {
+    bytes(&tee::<S>()?)
+}
+
+/// A program as bytes.
+fn bytes<S: Scene, const N: usize>(program: &Program<Part<S>, N>) -> Result<Vec<u8>, Error> {
     let mut buffer = [0; 4096];
-    let bytes = program.as_ref().and_then(|program| program.to_bytes(&mut buffer).ok());
-    bytes.unwrap_or_default().to_vec()
+    Ok(program.to_bytes(&mut buffer)?.to_vec())
 }
 
 /// Sends parts to a board, and `foreign`, which has numbers of another type. Returns how deep its stack was.
-fn talk<S: HousingScene>(board: Board, elf: &Path, foreign: Vec<u8>) -> Result<u32, String>
+fn talk<S: HousingScene>(board: Board, elf: &Path, foreign: &[u8]) -> Result<u32, String>
 where
     Part<S>: Scan<OrthographicRays<S>, Scalar = S>,
 {
@@ -69,15 +78,10 @@ where
     let mut room = Room::new();
     let mut session: Session<'_> = Session::new(Box::new(line), &mut room, timing(None));
     let device = send::ask(&mut session, None)?;
-    let (tee, housing) = (tee::<S>(), housing::<S>());
-    let parts = [
-        (bytes(&tee), on_host(&tee)?),
-        (bytes(&housing), on_host(&housing)?),
-        (bytes(&tee), on_host(&tee)?),
-    ];
+    let parts = parts::<S>().map_err(text)?;
     let refusals = [
         (vec![0; usize::from(device.capacity) + 1], "longer than the device has room for"),
-        (foreign, "another number type"),
+        (foreign.to_vec(), "another number type"),
         (b"no program".to_vec(), "nothing that the device can read"),
     ];
     for ((part, picture), (bad, why)) in parts.iter().zip(&refusals) {
@@ -106,24 +110,32 @@ where
     }
 }
 
-/// The picture that the firmware should send.
-fn on_host<S: Scene, const N: usize>(
-    program: &Option<Program<Part<S>, N>>,
-) -> Result<Vec<u8>, String>
+/// The bytes of a part, and the picture that the firmware should send of it.
+type Sent = (Vec<u8>, Vec<u8>);
+
+fn parts<S: HousingScene>() -> Result<[Sent; 3], Error>
 where
     Part<S>: Scan<OrthographicRays<S>, Scalar = S>,
 {
-    let text = |error: &dyn std::fmt::Display| error.to_string();
-    let program = program.as_ref().ok_or("the part can't be made")?;
-    let fit = Fit::of(&program.bounds()).ok_or("the part has no end")?;
-    let camera = fit.orthographic(None).map_err(|error| text(&error))?;
-    let light = Lambert::new(Fit::to_light(), S::hundredths(15)).map_err(|error| text(&error))?;
-    let size = Size::new(160, 120).map_err(|error| text(&error))?;
+    let (tee, housing) = (tee::<S>()?, housing::<S>()?);
+    let (of_tee, of_housing) =
+        ((bytes(&tee)?, on_host(&tee)?), (bytes(&housing)?, on_host(&housing)?));
+    Ok([of_tee.clone(), of_housing, of_tee])
+}
+
+fn on_host<S: Scene, const N: usize>(program: &Program<Part<S>, N>) -> Result<Vec<u8>, Error>
+where
+    Part<S>: Scan<OrthographicRays<S>, Scalar = S>,
+{
+    let fit = Fit::of(&program.bounds()).ok_or(Refusal::Invalid)?;
+    let camera = fit.orthographic(None)?;
+    let light = Lambert::new(Fit::to_light(), S::hundredths(15))?;
+    let size = Size::new(160, 120)?;
     let mut picture = Picture::new(program, &camera, size, light, Gray8(0));
     let mut row = vec![Gray8(0); usize::from(size.width())];
     let mut levels = Vec::new();
     for y in 0..size.height() {
-        picture.render(y, &mut row).map_err(|error| text(&error))?;
+        picture.render(y, &mut row)?;
         levels.extend(row.iter().map(|pixel| pixel.0));
     }
     Ok(levels)

@@ -26,11 +26,11 @@ const ALL: [Firmware; 2] = [
         most_flash: 32 * 1024,
         on_host: |number| {
             let mut bytes = Vec::new();
-            match number {
-                Number::F32 => lidar::sent::<f32>(&mut bytes)?,
-                Number::I16f16 => lidar::sent::<I16F16>(&mut bytes)?,
-            }
-            Some(bytes)
+            let sent = match number {
+                Number::F32 => lidar::sent::<f32>(&mut bytes),
+                Number::I16f16 => lidar::sent::<I16F16>(&mut bytes),
+            };
+            sent.is_ok().then_some(bytes)
         },
     },
     Firmware {

@@ -12,6 +12,8 @@ use esp_hal::spi::master::{Config, Spi, SpiDma};
 use esp_hal::time::Rate;
 use esp_hal::{Blocking, dma_tx_buffer};
 use panic_halt as _;
+use scancsg::Error;
+use scancsg::interop::DisplayError;
 use scancsg::render::{Lambert, Picture, Rgb565Be, RowSource, Size};
 use scancsg::scalar::I16F16;
 use scene::{Scene, Tee};
@@ -44,33 +46,39 @@ const PIXELS: u8 = 0x2C;
 
 #[esp_hal::main]
 fn main() -> ! {
-    // What fails here fails at every start. The display keeps what it shows.
-    let _ = run();
+    // What fails here fails at every start. This panic handler stops; others show the sentence.
+    if let Err(error) = run() {
+        panic!("{}", error.as_str());
+    }
+    // The display keeps what it shows.
     loop {
         core::hint::spin_loop();
     }
 }
 
-fn run() -> Option<()> {
+fn run() -> Result<(), Error> {
+    // Of the port's own errors: they are the display's.
     let chip = esp_hal::init(esp_hal::Config::default());
-    let spi = Spi::new(chip.SPI2, Config::default().with_frequency(Rate::from_mhz(40))).ok()?;
+    let config = Config::default().with_frequency(Rate::from_mhz(40));
+    let spi = Spi::new(chip.SPI2, config).map_err(|_| DisplayError::Draw)?;
     let mut spi = spi.with_sck(chip.GPIO6).with_mosi(chip.GPIO7);
     let mut is_data = Output::new(chip.GPIO10, Level::Low, OutputConfig::default());
     for (command, parameters, milliseconds) in START.into_iter().chain([(PIXELS, &[][..], 0)]) {
         is_data.set_low();
-        spi.write(&[command]).ok()?;
+        spi.write(&[command]).map_err(|_| DisplayError::Draw)?;
         is_data.set_high();
-        spi.write(parameters).ok()?;
+        spi.write(parameters).map_err(|_| DisplayError::Draw)?;
         Delay::new().delay_millis(milliseconds);
     }
     // Only now: DMA can't read from flash, where the commands are.
     let spi = spi.with_dma(chip.DMA_CH0);
-    let rows = [dma_tx_buffer!(ROW_BYTES).ok()?, dma_tx_buffer!(ROW_BYTES).ok()?];
+    let rows = [dma_tx_buffer!(ROW_BYTES), dma_tx_buffer!(ROW_BYTES)];
+    let [Ok(one), Ok(other)] = rows else { return Err(DisplayError::Draw.into()) };
 
-    let camera = I16F16::orthographic().ok()?;
-    let light = Lambert::new(I16F16::TO_LIGHT, I16F16::hundredths(15)).ok()?;
-    let size = Size::new(SIDE, SIDE).ok()?;
-    show(&mut Picture::new(&TEE, &camera, size, light, [0; 2]), spi, rows)
+    let camera = I16F16::orthographic()?;
+    let light = Lambert::new(I16F16::TO_LIGHT, I16F16::hundredths(15))?;
+    let size = Size::new(SIDE, SIDE)?;
+    show(&mut Picture::new(&TEE, &camera, size, light, [0; 2]), spi, [one, other])
 }
 
 /// Renders a row while the one before is sent.
@@ -78,14 +86,14 @@ fn show(
     picture: &mut impl RowSource<Pixel = Rgb565Be>,
     mut spi: SpiDma<'_, Blocking>,
     [mut full, mut empty]: [DmaTxBuf; 2],
-) -> Option<()> {
-    picture.render(0, full.as_mut_slice().as_chunks_mut().0).ok()?;
+) -> Result<(), Error> {
+    picture.render(0, full.as_mut_slice().as_chunks_mut().0)?;
     for y in 1..SIDE {
-        let transfer = spi.write_buffer(ROW_BYTES, full).ok()?;
-        picture.render(y, empty.as_mut_slice().as_chunks_mut().0).ok()?;
+        let transfer = spi.write_buffer(ROW_BYTES, full).map_err(|_| DisplayError::Draw)?;
+        picture.render(y, empty.as_mut_slice().as_chunks_mut().0)?;
         let (port, sent) = transfer.wait();
         (spi, full, empty) = (port, empty, sent);
     }
-    spi.write_buffer(ROW_BYTES, full).ok()?.wait();
-    Some(())
+    spi.write_buffer(ROW_BYTES, full).map_err(|_| DisplayError::Draw)?.wait();
+    Ok(())
 }

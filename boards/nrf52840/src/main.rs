@@ -67,8 +67,9 @@ async fn main(_spawner: Spawner) {
         &mut received,
         &mut to_send,
     );
-    // What fails here fails at every start: stop.
-    let _ = send(uart).await;
+    // What fails here fails at every start. This panic handler stops; others show the sentence.
+    let Err(error) = send(uart).await;
+    panic!("{}", error.as_str());
 }
 
 async fn send(mut uart: BufferedUarte<'_>) -> Result<Infallible, scancsg::Error> {

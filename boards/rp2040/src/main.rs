@@ -5,12 +5,13 @@
 #![no_std]
 #![no_main]
 
+use core::convert::Infallible;
 use panic_halt as _;
 use rp2040_hal as hal;
 
 use hal::Clock;
 use hal::uart::{UartConfig, UartPeripheral};
-use scancsg::render::{Gray8, Lambert, Picture, Size};
+use scancsg::render::{Gray8, Lambert, Picture, RowSource, Size};
 use scancsg::scalar::I16F16;
 use scancsg::stream::{Looks, Patience, Predictive, Sender, serve};
 use scene::{Scene, Tee};
@@ -36,35 +37,37 @@ const PATIENCE: Patience = Patience { ticks: 2_000_000, silences: 3 };
 
 #[hal::entry]
 fn main() -> ! {
-    // What fails here fails at every start: stop.
-    if run().is_none() {
-        loop {
-            core::hint::spin_loop();
-        }
-    }
-    unreachable!()
+    // What fails here fails at every start. This panic handler stops; others show the sentence.
+    let Err(why) = run();
+    panic!("{why}")
 }
 
-fn run() -> Option<core::convert::Infallible> {
-    let mut chip = hal::pac::Peripherals::take()?;
+/// What is sent.
+fn picture() -> Result<impl RowSource<Pixel = Gray8>, scancsg::Error> {
+    let camera = I16F16::orthographic()?;
+    let light = Lambert::new(I16F16::TO_LIGHT, I16F16::hundredths(15))?;
+    let size = Size::new(WIDTH as u16, HEIGHT)?;
+    Ok(Picture::new(&TEE, &camera, size, light, Gray8(0)))
+}
+
+fn run() -> Result<Infallible, &'static str> {
+    let mut chip = hal::pac::Peripherals::take().ok_or("the chip is taken")?;
     let mut watchdog = hal::Watchdog::new(chip.WATCHDOG);
     let (xosc, resets) = (chip.XOSC, &mut chip.RESETS);
     let clocks = hal::clocks::init_clocks_and_plls(
         CRYSTAL, xosc, chip.CLOCKS, chip.PLL_SYS, chip.PLL_USB, resets, &mut watchdog,
     );
-    let clocks = clocks.ok()?;
+    let clocks = clocks.map_err(|_| "the clocks don't start")?;
     let sio = hal::Sio::new(chip.SIO);
     let pins = hal::gpio::Pins::new(chip.IO_BANK0, chip.PADS_BANK0, sio.gpio_bank0, resets);
     let pins = (pins.gpio0.into_function(), pins.gpio1.into_function());
     // 115,200 baud, 8 bits, no parity, one stop bit.
     let config = UartConfig::default();
     let uart = UartPeripheral::new(chip.UART0, pins, resets);
-    let mut uart = uart.enable(config, clocks.peripheral_clock.freq()).ok()?;
+    let uart = uart.enable(config, clocks.peripheral_clock.freq());
+    let mut uart = uart.map_err(|_| "the serial port can't have this rate")?;
 
-    let camera = I16F16::orthographic().ok()?;
-    let light = Lambert::new(I16F16::TO_LIGHT, I16F16::hundredths(15)).ok()?;
-    let size = Size::new(WIDTH as u16, HEIGHT).ok()?;
-    let mut picture = Picture::new(&TEE, &camera, size, light, Gray8(0));
+    let mut picture = picture().map_err(scancsg::Error::as_str)?;
     let mut row = [Gray8(0); WIDTH];
     let mut sender = Sender::<_, 256>::new(Predictive::<Gray8, WIDTH>::new(), PATIENCE);
     let mut frame = 0;

@@ -59,9 +59,10 @@ async fn main(_spawner: Spawner) {
         Interrupts,
         Config::default(),
     );
-    // What fails here fails at every start: stop.
-    let Ok(uart) = uart else { return };
-    let _ = send(uart).await;
+    // What fails here fails at every start. This panic handler stops; others show the sentence.
+    let Ok(uart) = uart else { panic!("the serial port can't have this rate") };
+    let Err(error) = send(uart).await;
+    panic!("{}", error.as_str());
 }
 
 async fn send(mut uart: BufferedUart<'_>) -> Result<Infallible, scancsg::Error> {

@@ -11,7 +11,7 @@ pub use open::{CylinderWall, WallHit};
 use crate::geom::{Axis, AxisLine, Direction, Line, Vec3};
 use crate::quadric::{Planes, WALL, Wall, meet};
 use crate::query::Solid;
-use crate::scalar::{ConstOps, Real, Scalar, Stretch, per_scalar};
+use crate::scalar::{ConstOps, Number, Real, Scalar, Stretch, per_scalar};
 use crate::scan::bounds::Bounds;
 use crate::scan::leaf;
 use crate::span::{Crossing, Face, Shape, Span, SpanStack};
@@ -321,8 +321,8 @@ impl<S: Scalar> Cylinder<S> {
         let axis = &self.caps.normal;
         let middle = (low + high) * half - axis.dot_wide(base);
         let half_length = (high - low) * half;
-        let square = radius * radius + half_length * half_length;
-        (base + axis.wide() * middle, square.sqrt())
+        let to_rim = Vec3::new(radius, half_length, S::Wide::ZERO);
+        (base + axis.wide() * middle, to_rim.length())
     }
 }
 

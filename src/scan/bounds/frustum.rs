@@ -14,7 +14,7 @@ impl<S: Scalar> Taper<S> {
         let towards_larger = (last - first) / (high - low) * ((first + last) * S::Wide::HALF);
         let shift = towards_larger.max(-half).min(half);
         let middle = low + half + shift - caps.normal.dot_wide(self.base.wide());
-        let to_rim = |along: S::Wide, radius: S::Wide| (along * along + radius * radius).sqrt();
+        let to_rim = |along, radius| Vec3::new(along, radius, S::Wide::ZERO).length();
         let radius = to_rim(half + shift, first).max(to_rim(half - shift, last));
         let center = self.base.wide() + caps.normal.wide() * middle;
         // Rounded to the number type, both may be off; and a ray that passes a tip may meet it.

@@ -126,7 +126,7 @@ pub(crate) struct Around<S: Scalar> {
 impl<S: Scalar> Around<S> {
     /// The radius of a ball around all of it.
     pub(super) fn radius(&self) -> S::Wide {
-        if self.is_ball { self.half.x } else { self.half.length_squared().sqrt() }
+        if self.is_ball { self.half.x } else { self.half.length() }
     }
 
     /// Half of the length along a direction.

@@ -17,7 +17,9 @@ use embassy_futures::join::join;
 use embassy_nrf::uarte::{Baudrate, Config, InterruptHandler, UarteTx};
 use embassy_nrf::{bind_interrupts, peripherals};
 use panic_halt as _;
+use scancsg::Error;
 use scancsg::render::{Lambert, Picture, RowSource, Size};
+use scancsg::stream::LinkError;
 use scene::{Scene, Tee};
 
 /// The part and its camera: put your own here.
@@ -41,19 +43,25 @@ async fn main(_spawner: Spawner) {
     let mut config = Config::default();
     config.baudrate = Baudrate::Baud115200;
     let mut line = UarteTx::new(chip.UARTE0, Interrupts, chip.P0_06, config);
+    // What fails here fails at every start. This panic handler stops; others show the sentence.
+    if let Err(error) = run(&mut line).await {
+        panic!("{}", error.as_str());
+    }
+}
 
-    let Ok(camera) = f32::orthographic() else { return };
-    let Ok(light) = Lambert::new(f32::TO_LIGHT, f32::hundredths(15)) else { return };
-    let Ok(size) = Size::new(WIDTH as u16, HEIGHT) else { return };
-    let _ = line.write(HEADER).await;
-    let _ = send(&mut Picture::new(&TEE, &camera, size, light, [0]), &mut line).await;
+async fn run(line: &mut UarteTx<'_>) -> Result<(), Error> {
+    let camera = f32::orthographic()?;
+    let light = Lambert::new(f32::TO_LIGHT, f32::hundredths(15))?;
+    let size = Size::new(WIDTH as u16, HEIGHT)?;
+    line.write(HEADER).await.map_err(|_| LinkError::Write)?;
+    send(&mut Picture::new(&TEE, &camera, size, light, [0]), line).await
 }
 
 /// Renders a row while the one before is sent.
 async fn send(
     picture: &mut impl RowSource<Pixel = [u8; 1]>,
     line: &mut UarteTx<'_>,
-) -> Result<(), scancsg::Error> {
+) -> Result<(), Error> {
     let mut rows = [[[0]; WIDTH]; 2];
     let [one, other] = &mut rows;
     let (mut full, mut empty) = (one, other);
@@ -61,10 +69,11 @@ async fn send(
     for y in 1..HEIGHT {
         // The transfer begins, goes on during the rendering, and is waited for.
         let rendering = async { picture.render(y, empty) };
-        let (_, rendered) = join(line.write(full.as_flattened()), rendering).await;
+        let (written, rendered) = join(line.write(full.as_flattened()), rendering).await;
+        written.map_err(|_| LinkError::Write)?;
         rendered?;
         swap(&mut full, &mut empty);
     }
-    let _ = line.write(full.as_flattened()).await;
+    line.write(full.as_flattened()).await.map_err(|_| LinkError::Write)?;
     Ok(())
 }

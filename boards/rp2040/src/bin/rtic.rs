@@ -80,13 +80,15 @@ mod app {
     #[init(local = [one: [[u8; 1]; WIDTH] = [[0]; WIDTH], other: [[u8; 1]; WIDTH] = [[0]; WIDTH]])]
     fn init(context: init::Context) -> (Shared, Local) {
         let shared = Shared { full: None, empty: Some(context.local.other) };
-        (shared, Local { line: open(context.device), first: context.local.one })
+        // What fails here fails at every start. This panic handler stops; others show the sentence.
+        let line = open(context.device).unwrap_or_else(|why| panic!("{why}"));
+        (shared, Local { line: Some(line), first: context.local.one })
     }
 
     /// Renders, whenever nothing else is to be done.
     #[idle(shared = [full, empty], local = [first])]
     fn idle(mut context: idle::Context) -> ! {
-        let _ = render(context.local.first, |row| {
+        let rendered = render(context.local.first, |row| {
             context.shared.full.lock(|full| *full = Some(row));
             // The line may be at rest.
             rtic::pend(pac::Interrupt::DMA_IRQ_0);
@@ -97,6 +99,7 @@ mod app {
                 }
             }
         });
+        rendered.unwrap_or_else(|error| panic!("{}", error.as_str()));
         loop {
             core::hint::spin_loop();
         }
@@ -139,7 +142,7 @@ fn render(mut row: Row, mut next: impl FnMut(Row) -> Row) -> Result<(), scancsg:
 }
 
 /// The serial port, which has sent the header, and a channel that interrupts when it is done.
-fn open(mut chip: pac::Peripherals) -> Option<Line> {
+fn open(mut chip: pac::Peripherals) -> Result<Line, &'static str> {
     let mut watchdog = hal::Watchdog::new(chip.WATCHDOG);
     let (xosc, resets) = (chip.XOSC, &mut chip.RESETS);
     let clocks = hal::clocks::init_clocks_and_plls(
@@ -151,15 +154,16 @@ fn open(mut chip: pac::Peripherals) -> Option<Line> {
         resets,
         &mut watchdog,
     );
-    let clocks = clocks.ok()?;
+    let clocks = clocks.map_err(|_| "the clocks don't start")?;
     let sio = hal::Sio::new(chip.SIO);
     let pins = hal::gpio::Pins::new(chip.IO_BANK0, chip.PADS_BANK0, sio.gpio_bank0, resets);
     let pins = (pins.gpio0.into_function(), pins.gpio1.into_function());
     let uart = UartPeripheral::new(chip.UART0, pins, resets);
-    let uart = uart.enable(UartConfig::default(), clocks.peripheral_clock.freq()).ok()?;
+    let uart = uart.enable(UartConfig::default(), clocks.peripheral_clock.freq());
+    let uart = uart.map_err(|_| "the serial port can't have this rate")?;
     uart.write_full_blocking(HEADER);
     let mut channel = chip.DMA.split(resets).ch0;
     channel.enable_irq0();
     let (_, port) = uart.split();
-    Some(Line::Rests(channel, port))
+    Ok(Line::Rests(channel, port))
 }

@@ -9,11 +9,13 @@ use embassy_executor::Spawner;
 use embassy_futures::join::join;
 use embassy_stm32::gpio::{Level, Output, Speed};
 use embassy_stm32::mode::Async;
-use embassy_stm32::spi::{self, Config, Spi, mode::Master};
+use embassy_stm32::spi::{Config, Spi, mode::Master};
 use embassy_stm32::time::Hertz;
 use embassy_stm32::{bind_interrupts, dma, peripherals};
 use embassy_time::Timer;
 use panic_halt as _;
+use scancsg::Error;
+use scancsg::interop::DisplayError;
 use scancsg::render::{Lambert, Picture, Rgb565Be, RunSource, Size};
 use scene::{Scene, Tee};
 
@@ -49,11 +51,15 @@ struct Display {
 }
 
 impl Display {
-    async fn command(&mut self, command: u8, parameters: &[u8]) -> Result<(), spi::Error> {
+    async fn command(&mut self, command: u8, parameters: &[u8]) -> Result<(), DisplayError> {
         self.is_data.set_low();
-        self.spi.write(&[command]).await?;
+        self.write(&[command]).await?;
         self.is_data.set_high();
-        if parameters.is_empty() { Ok(()) } else { self.spi.write(parameters).await }
+        if parameters.is_empty() { Ok(()) } else { self.write(parameters).await }
+    }
+
+    async fn write(&mut self, bytes: &[u8]) -> Result<(), DisplayError> {
+        self.spi.write(bytes).await.map_err(|_| DisplayError::Draw)
     }
 }
 
@@ -66,41 +72,44 @@ async fn main(_spawner: Spawner) {
     let is_data = Output::new(chip.PC7, Level::Low, Speed::VeryHigh);
     // The display is the only one on its bus: it is always selected.
     let _select = Output::new(chip.PB6, Level::Low, Speed::Low);
-    let mut display = Display { spi, is_data };
+    // What fails here fails at every start. This panic handler stops; others show the sentence.
+    if let Err(error) = run(Display { spi, is_data }).await {
+        panic!("{}", error.as_str());
+    }
+}
+
+async fn run(mut display: Display) -> Result<(), Error> {
     for (command, parameters, milliseconds) in START {
-        // What fails here fails at every start: stop.
-        let Ok(()) = display.command(command, parameters).await else { return };
+        display.command(command, parameters).await?;
         Timer::after_millis(milliseconds).await;
     }
-    let Ok(camera) = f32::orthographic() else { return };
-    let Ok(light) = Lambert::new(f32::TO_LIGHT, f32::hundredths(15)) else { return };
-    let Ok(size) = Size::new(SIDE, SIDE) else { return };
-    let _ = show(&mut Picture::new(&TEE, &camera, size, light, [0; 2]), &mut display).await;
+    let camera = f32::orthographic()?;
+    let light = Lambert::new(f32::TO_LIGHT, f32::hundredths(15))?;
+    let size = Size::new(SIDE, SIDE)?;
+    show(&mut Picture::new(&TEE, &camera, size, light, [0; 2]), &mut display).await
 }
 
 /// Renders a half of a row while the other is sent.
 async fn show(
     picture: &mut impl RunSource<Pixel = Rgb565Be>,
     display: &mut Display,
-) -> Result<(), scancsg::Error> {
+) -> Result<(), Error> {
     let mut halves = [[[0; 2]; HALF as usize]; 2];
     let [one, other] = &mut halves;
     let (mut full, mut empty) = (one, other);
     let mut ready = 0;
-    if display.command(PIXELS, &[]).await.is_err() {
-        return Ok(());
-    }
+    display.command(PIXELS, &[]).await?;
     for y in 0..SIDE {
         for columns in [0..HALF, HALF..SIDE] {
             // The transfer begins, goes on during the rendering, and is waited for.
             let sent = full.as_flattened().get(..ready).unwrap_or_default();
             let rendering = async { picture.render_run(y, columns, empty) };
-            let (_, rendered) = join(display.spi.write(sent), rendering).await;
+            let (written, rendered) = join(display.write(sent), rendering).await;
+            written?;
             rendered?;
             swap(&mut full, &mut empty);
             ready = full.as_flattened().len();
         }
     }
-    let _ = display.spi.write(full.as_flattened()).await;
-    Ok(())
+    Ok(display.write(full.as_flattened()).await?)
 }

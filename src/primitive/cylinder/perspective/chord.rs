@@ -52,7 +52,7 @@ impl<S: Scalar> ChordView<S> {
                 Edges::Curves {
                     reach,
                     blur: ((radius + S::ROUNDING.wide()) * S::ROUNDING.wide()).sqrt(),
-                    eye_within: at_eye.length_squared() < radius * radius,
+                    eye_within: at_eye.length() < radius,
                     ball,
                 }
             }

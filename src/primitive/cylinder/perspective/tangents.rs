@@ -204,9 +204,8 @@ impl<S: FixedPoint> Tangents<S> {
     fn row(&self, cylinder: &Cylinder<S>, y: i32) -> Pixels<S> {
         let caps = planes::PerspectiveRow::new(&self.caps, y);
         let [height, speed] = caps.lines();
-        // As a number of the scene: then heights above it lose nothing.
-        let eye = S::from_wide(self.caps.at_eye(self.distance));
-        let [rise, rise_step] = [height.middle - eye.wide(), height.step]
+        let eye = self.caps.at_eye(self.distance);
+        let [rise, rise_step] = [height.middle - eye, height.step]
             .map(|x| Wide::from_bits(x.to_bits() << self.finer()));
         let [of_middle, of_step] = self.shifts.map(i32::from);
         let [middle, a, b] = self.lines.map(|[middle, right, down]| {
@@ -218,7 +217,7 @@ impl<S: FixedPoint> Tangents<S> {
             sides: [a, b],
             rise: Affine { middle: rise, step: rise_step },
             speed,
-            ends: [cylinder.caps.low, cylinder.caps.high].map(|end| end.minus(eye)),
+            ends: [cylinder.caps.low, cylinder.caps.high].map(|end| end.minus(S::from_wide(eye))),
         }
     }
 
