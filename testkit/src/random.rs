@@ -1,5 +1,7 @@
-//! A small seeded generator: the same rays on every machine, in every version of every dependency.
+//! A small seeded generator: the same rays on every machine, in every version of every dependency. With
+//! `SCANCSG_SEED`, which `cargo xtask search` sets, they are others.
 
+use std::env;
 use std::f64::consts::TAU;
 
 /// SplitMix64 (Steele, Lea, Flood 2014).
@@ -9,11 +11,12 @@ impl Random {
     /// A stream of its own for every name, so that one set's rays don't depend on another's.
     pub fn named(name: &str) -> Self {
         let fnv = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-        Self(name.bytes().fold(0xcbf2_9ce4_8422_2325, fnv))
+        Self::seeded(name.bytes().fold(0xcbf2_9ce4_8422_2325, fnv))
     }
 
     pub fn seeded(seed: u64) -> Self {
-        Self(seed)
+        let other = env::var("SCANCSG_SEED").ok().map_or(0, |text| text.parse::<u32>().unwrap());
+        Self(seed ^ (u64::from(other) << 32))
     }
 
     fn next(&mut self) -> u64 {

@@ -32,6 +32,7 @@ mod python;
 mod report;
 #[path = "../../examples/scene/mod.rs"]
 mod scene;
+mod search;
 mod sent;
 mod sizes;
 mod template;
@@ -91,6 +92,9 @@ enum Chore {
     /// Check everything that must hold before a change lands, or one step of it
     Ci(ci::Ci),
 
+    /// Run the random tests in an optimised build, with fresh seeds until time is over
+    Search(search::Search),
+
     /// Boot one firmware, show the picture that it sends, and save it
     Boot {
         /// The board that it was built for
@@ -138,6 +142,7 @@ fn main() -> ExitCode {
         Chore::Python => python::check(),
         Chore::Arduino => c::arduino(),
         Chore::Ci(chosen) => ci::run(&chosen),
+        Chore::Search(chosen) => search::run(&chosen),
         Chore::Boot { board, elf, png } => boot::show(board, &elf, &png),
     };
     match result {

@@ -1,13 +1,11 @@
 //! Parts as programs in bytes: `stream --scene FILE` renders them, `view --send FILE` sends them to a device.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, clippy::panic)]
 
-mod common;
-#[path = "../scene/mod.rs"]
-mod scene;
-
-use common::{Guarded, Pty, example, read_png, scratch};
+use super::common::{Guarded, Pty, at_once, example, read_png, scratch};
+use super::scene::fit::Fit;
+use super::scene::program::{Part, tee};
+use super::scene::{Scene, Tee};
 use scancsg::geom::{OrthographicRays, PerspectiveRays, Rays, vec3};
 use scancsg::program::Program;
 use scancsg::render::{Camera, Gray8, Lambert, Picture, RowSource, Size};
@@ -16,9 +14,6 @@ use scancsg::solid::{HalfSpace, Scan, Solid};
 use scancsg::stream::{
     Delivery, Inbox, Patience, PixelFormat, Plain, Refusal, Sender, Task, packet_capacity,
 };
-use scene::fit::Fit;
-use scene::program::{Part, tee};
-use scene::{Scene, Tee};
 use std::fs;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -233,16 +228,17 @@ fn view_sends_a_part_and_receives_its_picture() {
     let path = file::<f32>("sent.scene");
     let camera = Fit::of(&tee::<f32>().unwrap().bounds()).unwrap().orthographic(None).unwrap();
     let wanted = levels(&camera, Size::new(SIZE[0], SIZE[1]).unwrap());
-    for resets in [0, 1] {
+    let (path, wanted) = (&path, &wanted);
+    at_once([0, 1], |resets| {
         let mut device = Device::new(resets);
         let out = scratch(&format!("sent-{resets}.png"));
-        let mut view = view(&device, &path, &out);
+        let mut view = view(&device, path, &out);
         device.run(&mut view);
         let output = view.end();
         assert!(output.status.success(), "{output:?}");
         assert_eq!((device.resets, device.pictures), (0, 1));
-        assert!(read_png(&out).pixels == wanted);
-    }
+        assert!(read_png(&out).pixels == *wanted);
+    });
 }
 
 #[test]

@@ -1,14 +1,9 @@
 //! The examples as a user runs them: what they print, what they write, how they fail.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, clippy::panic)]
 
-mod common;
-#[path = "../scene/mod.rs"]
-mod scene;
-
-use common::{Guarded, Pty, example, read_png, scratch};
-
+use super::common::{Guarded, Pty, at_once, example, read_png, scratch};
+use super::scene;
 use scancsg::render::{Gray8, Lambert, Picture, Size, SmoothColumn, SmoothPicture, Smoothing};
 use scancsg::stream::{
     Assembler, CONTROL_CAPACITY, Decoder, Memory, PixelFormat, encode_ack, packet_capacity,
@@ -228,16 +223,17 @@ fn stream_sends_to_a_serial_device() {
 #[test]
 fn stream_ends_if_nobody_is_there() {
     let large = ["--size", "640x480", "--frames", "99", "--coding", "plain", "--format", "rgb565"];
-    for (more, code, hint) in [
+    let cases = [
         (&["--frames", "99", "--size", "48x36"][..], 3, "gave up after 3 of 99 frames"),
         (&large[..], 1, "nobody reads"),
-    ] {
+    ];
+    at_once(cases, |(more, code, hint)| {
         let pty = Pty::new();
         let output = Guarded::spawn(example("stream").args(["--port", &pty.name]).args(more)).end();
         let message = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(code), "{message}");
         assert!(message.contains(hint), "{message}");
-    }
+    });
 }
 
 /// The reader takes some bytes, and is gone.
@@ -267,11 +263,11 @@ fn a_line_without_a_way_back_needs_no_answers() {
 /// The example `bench` counts on boards what the set `benign` takes: its table is that set.
 #[test]
 fn the_rays_that_boards_count_are_the_benign_ones() {
-    let table = include_str!("../bench/benign.rs").lines().filter_map(|line| {
+    let table = include_str!("../../bench/benign.rs").lines().filter_map(|line| {
         let numbers = line.trim().strip_prefix("[0x")?.strip_suffix("],")?;
         Some(numbers.replace(", 0x", ","))
     });
-    let benign = include_str!("../../tests/reference/cylinder.csv").lines().filter_map(|line| {
+    let benign = include_str!("../../../tests/reference/cylinder.csv").lines().filter_map(|line| {
         let numbers: Vec<&str> = line.strip_prefix("benign,")?.split(',').take(8).collect();
         Some(numbers.join(","))
     });

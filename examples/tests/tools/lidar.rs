@@ -1,8 +1,6 @@
 //! What the lidar measures, against lines and cylinders of the test's own, in `f64`.
 
-#![allow(clippy::unwrap_used)]
-
-#[path = "../lidar/world.rs"]
+#[path = "../../lidar/world.rs"]
 mod world;
 
 use scancsg::geom::Axis;

@@ -2,8 +2,6 @@
 //! ever.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used)]
-
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;

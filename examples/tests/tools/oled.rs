@@ -1,8 +1,6 @@
 //! What is on the bus, as a display would understand it.
 
-#![allow(clippy::unwrap_used)]
-
-#[path = "../oled/screen/mod.rs"]
+#[path = "../../oled/screen/mod.rs"]
 mod screen;
 
 use scancsg::render::{Bayer, Gray8, Mono, Picture, RowSource};

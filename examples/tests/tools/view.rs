@@ -1,11 +1,8 @@
 //! The receiver `view` as a user runs it, with a device at the other end of a pseudo-terminal.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, clippy::panic)]
 
-mod common;
-
-use common::{Guarded, Png, Pty, example, read_png, scratch};
+use super::common::{Guarded, Png, Pty, at_once, example, read_png, scratch};
 use scancsg::render::{Gray8, Palette};
 use scancsg::stream::{
     CONTROL_CAPACITY, Decoder, FrameHash, FrameHeader, Packet, PixelFormat, RowHash, encode_end,
@@ -233,7 +230,7 @@ fn a_repeated_end_is_acknowledged_and_not_saved_again() {
 /// A device that was reset sends the same number, but of another size.
 #[test]
 fn a_reset_device_begins_a_new_frame() {
-    for (width, height) in [(60, 60), (48, 36), (100, 80)] {
+    at_once([(60, 60), (48, 36), (100, 80)], |(width, height)| {
         let (mut device, out) = (Device::new(), scratch(&format!("reset-{width}.png")));
         let mut view = view(device.name(), &["--out", text(&out), "--frames", "1"]);
         let (before, after) = (Frame::new(0, 80, 60), Frame::new(0, width, height));
@@ -242,7 +239,7 @@ fn a_reset_device_begins_a_new_frame() {
         let message = ends(view, 0);
         assert!(message.contains("the device began it again"), "{message}");
         after.is_in(&read_png(&out));
-    }
+    });
 }
 
 #[test]
@@ -276,11 +273,12 @@ fn silence_ends() {
 /// vanishes, and at ctrl-C.
 #[test]
 fn a_frame_that_breaks_off_is_saved_in_part() {
-    for (way, hint) in [
+    let cases = [
         ("silent", "the sender fell silent; missing rows: 20-35"),
         ("closed", "the line closed in the middle of it; missing rows: 20-35"),
         ("stopped", "stopped in the middle of it; missing rows: 20-35"),
-    ] {
+    ];
+    at_once(cases, |(way, hint)| {
         let (mut device, out) = (Device::new(), scratch(&format!("{way}.png")));
         let mut view = view(device.name(), &["--out", text(&out), "--frames", "1", "--wait", "4"]);
         let frame = &FRAMES[0];
@@ -296,7 +294,7 @@ fn a_frame_that_breaks_off_is_saved_in_part() {
         let (here, missing) = png.pixels.split_at(20 * 48);
         assert_eq!(here, frame.levels().get(..20 * 48).unwrap());
         assert!(missing.iter().all(|level| *level == 0));
-    }
+    });
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! What the tests of the tools share: running them, and their files.
 
-#![allow(dead_code)] // every test takes what it needs
+#![cfg(unix)]
 
 use rustix::fs::{OFlags, fcntl_setfl};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
@@ -104,6 +104,13 @@ impl Drop for Guarded {
             let _ = child.wait();
         }
     }
+}
+
+/// Does the same to several cases, which mostly wait, at once.
+pub fn at_once<T: Send>(cases: impl IntoIterator<Item = T>, check: impl Fn(T) + Copy + Send) {
+    std::thread::scope(|scope| {
+        cases.into_iter().for_each(|case| drop(scope.spawn(move || check(case))));
+    });
 }
 
 /// A file of this test's own.
