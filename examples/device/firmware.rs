@@ -4,14 +4,16 @@
 //! and `--cfg number="i16f16"` among the compiler's flags choose.
 
 use crate::board::{self, Usage, log};
-use crate::part::{BYTES, Part};
+use crate::part::{BYTES, Leaf, Part};
 use crate::scene::Scene;
 use crate::scene::fit::Fit;
 use embedded_io::{Read, ReadReady, Write};
-use number::Number;
+use number::{Number, ONE};
 use scancsg::Error;
+use scancsg::constant;
+use scancsg::geom::Vec3;
 use scancsg::render::{Gray8, Lambert, Picture, Size};
-use scancsg::solid::Solid;
+use scancsg::solid::{Solid, Sphere};
 use scancsg::stream::{
     Delivery, Inbox, Looks, Patience, PixelFormat, Predictive, Refusal, Sender, packet_capacity,
     serve, take,
@@ -24,12 +26,14 @@ const PACKET: usize = packet_capacity(WIDTH, PixelFormat::Gray8);
 #[cfg(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16"))))]
 mod number {
     pub type Number = f32;
+    pub const ONE: Number = 1.0;
     /// The number type, as in a program's header.
     pub const CODE: u8 = 32;
 }
 #[cfg(not(any(number = "f32", all(target_abi = "eabihf", not(number = "i16f16")))))]
 mod number {
     pub type Number = scancsg::scalar::I16F16;
+    pub const ONE: Number = Number::ONE;
     /// The number type, as in a program's header.
     pub const CODE: u8 = 16;
 }
@@ -60,16 +64,20 @@ fn show(
     })
 }
 
+/// What a program has before a part has come: there is none without a solid.
+const BALL: Sphere<Number> = constant!(Sphere::<Number>::new(Vec3::ZERO, ONE));
+
 /// Waits for a part, and sends its picture.
 fn answer(
     inbox: &mut Inbox<'_>,
+    part: &mut Part<Number>,
     frame: u16,
     sender: &mut Device,
     line: &mut (impl Read + ReadReady + Write),
 ) -> &'static str {
     let said = match take(inbox, line, &mut Looks::new()) {
-        Ok(bytes) => match Part::from_bytes(bytes) {
-            Ok(part) => show(&part, frame, sender, line).map_err(|_| Refusal::Invalid),
+        Ok(bytes) => match part.read_bytes(bytes) {
+            Ok(()) => show(part, frame, sender, line).map_err(|_| Refusal::Invalid),
             Err(error) => Err(error.into()),
         },
         Err(_) => return "the line failed\n",
@@ -86,10 +94,11 @@ fn main() -> ! {
     let mut line = board::uart();
     let mut memory = [0; BYTES];
     let mut inbox = Inbox::new(&mut memory, number::CODE);
+    let mut part = Part::new(Leaf::Sphere(BALL));
     let mut sender = Device::new(Predictive::new(), PATIENCE);
     let mut frame = 0;
     loop {
-        let said = answer(&mut inbox, frame, &mut sender, &mut line);
+        let said = answer(&mut inbox, &mut part, frame, &mut sender, &mut line);
         frame = frame.wrapping_add(1);
         let Usage { stack, room } = Usage::measure();
         log!(info, "{=str} stack: {=usize} of {=usize} bytes", said, stack, room);

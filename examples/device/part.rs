@@ -2,9 +2,9 @@
 //! that isn't named isn't linked.
 
 use scancsg::program::Program;
-#[cfg(not(board = "microbit"))]
-use scancsg::solid::Polyhedron;
 use scancsg::solid::{Cone, Cuboid, Cylinder, Sphere};
+#[cfg(not(board = "microbit"))]
+use scancsg::solid::{Polyhedron, Scaled};
 
 #[cfg(not(board = "microbit"))]
 mod size {
@@ -29,6 +29,9 @@ scancsg::leaves! {
         Sphere(Sphere<S>),
         Cone(Cone<S>),
         Polyhedron(Polyhedron<S, 8>),
+        ScaledCylinder(Scaled<Cylinder<S>>),
+        ScaledSphere(Scaled<Sphere<S>>),
+        ScaledCone(Scaled<Cone<S>>),
     }
 }
 #[cfg(board = "microbit")]

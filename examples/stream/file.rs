@@ -4,12 +4,12 @@ use crate::args::Number;
 use crate::host::send::number_name;
 use scancsg::program::{BytesError, Program};
 use scancsg::scalar::Scalar;
-use scancsg::solid::{Cone, Cuboid, Cylinder, HalfSpace, Polyhedron, Sphere, Torus};
+use scancsg::solid::{Cone, Cuboid, Cylinder, HalfSpace, Polyhedron, Scaled, Sphere, Torus};
 use std::fs;
 use std::path::Path;
 
 scancsg::leaves! {
-    /// All solids that have a form as bytes.
+    /// All solids that have a form as bytes. What is round may be scaled; flat faces need no scale, they are others then.
     pub enum Leaf<S> {
         Cylinder(Cylinder<S>),
         Cuboid(Cuboid<S>),
@@ -18,6 +18,10 @@ scancsg::leaves! {
         Torus(Torus<S>),
         HalfSpace(HalfSpace<S>),
         Polyhedron(Polyhedron<S, 32>),
+        ScaledCylinder(Scaled<Cylinder<S>>),
+        ScaledSphere(Scaled<Sphere<S>>),
+        ScaledCone(Scaled<Cone<S>>),
+        ScaledTorus(Scaled<Torus<S>>),
     }
 }
 

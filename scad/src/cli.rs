@@ -6,7 +6,7 @@ use crate::{port, report};
 use clap::Parser;
 use scancsg_scad::map::Map;
 use scancsg_scad::picture::{Angles, BACKGROUND, View, render, write_png};
-use scancsg_scad::program::{NumberType, firmware, program};
+use scancsg_scad::program::{MOST_SPANS, NumberType, firmware, program};
 use scancsg_scad::scene::Scene;
 use scancsg_scad::{Error, ErrorKind, Lowered, Model, lower, parse, read, rust};
 use std::fs;
@@ -152,9 +152,9 @@ fn act(options: &Options) -> Result<(), Error> {
     if let Some(path) = &options.firmware {
         let (made, corners) = (made.clone()?, scene.corners());
         let spans = corners.map(|corners| working("tracing", || made.spans(corners)));
-        let spans = spans.transpose()?.flatten().unwrap_or(SPANS);
+        let spans = spans.transpose()?.flatten().unwrap_or(MOST_SPANS);
         let view = View::of_all(&scene, options.camera, options.size)?;
-        save(path, firmware(&made, &view, spans.max(SPANS)).as_bytes())?;
+        save(path, firmware(&made, &view, spans).as_bytes())?;
     }
     let is_written = [&options.out, &options.rust, &options.program, &options.firmware]
         .iter()
@@ -171,9 +171,6 @@ fn act(options: &Options) -> Result<(), Error> {
     }
     Ok(())
 }
-
-/// Room for spans of a single ray, if no more are needed.
-const SPANS: usize = 32;
 
 fn save(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     fs::write(path, bytes).map_err(|error| Error::file(format!("{}: {error}", path.display())))

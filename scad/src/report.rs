@@ -2,7 +2,7 @@
 
 use crate::console::{say, working};
 use scancsg_scad::picture::{Angles, View};
-use scancsg_scad::program::{Bytes, NumberType};
+use scancsg_scad::program::{Bytes, MOST_SPANS, NumberType};
 use scancsg_scad::scene::Scene;
 use scancsg_scad::{Counts, Error, Model, measure};
 use std::time::Duration;
@@ -16,12 +16,18 @@ pub fn part(counts: Counts, model: &Model, scene: &Scene, pixels: u16, took: Dur
     match working("measuring", || measure(scene, pixels)) {
         None => say!("volume     0"),
         Some(measures) => {
-            say!("volume     {:.6} ± {:.6}", measures.volume, measures.volume_error);
+            let digits = digits(measures.volume_error);
+            say!("volume     {:.digits$} ± {:.digits$}", measures.volume, measures.volume_error);
             say!("from       {:?}", measures.low.to_array());
             say!("to         {:?}", measures.high.to_array());
             say!("spans      {} on a line at most", measures.spans);
         }
     }
+}
+
+/// How many digits behind the point say two of an error.
+fn digits(error: f64) -> usize {
+    (1.0 - error.max(1e-9).log10().floor()).clamp(0.0, 9.0) as usize
 }
 
 /// The picture of a device whose time is estimated.
@@ -43,7 +49,7 @@ pub fn program(made: &Bytes, scene: &Scene, camera: Angles) -> Result<(), Error>
     if let Some(corners) = scene.corners() {
         match working("tracing", || made.spans(corners))? {
             Some(spans) => say!("room       for {spans} spans of a single ray"),
-            None => say!("room       512 spans of a single ray are too few"),
+            None => say!("room       {MOST_SPANS} spans of a single ray are too few"),
         }
     }
     let memory = made.memory();

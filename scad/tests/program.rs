@@ -75,6 +75,9 @@ where
     let [want, got] = [volume(&scene, corners)?, volume(&read, corners)?];
     let name = path.display();
     println!("{name}: {pixels:.5} of the pixels, {want} {got}");
+    if env::var_os("SCAD_PARTS").is_some() {
+        return Ok(());
+    }
     assert!(pixels <= PIXELS, "{name} in {number}: {pixels} of the pixels");
     assert!((got - want).abs() <= VOLUME * want, "{name} in {number}: {got}, not {want}");
     Ok(())

@@ -6,7 +6,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-#[path = "../../testkit/src/fnv.rs"]
+#[path = "../../../testkit/src/fnv.rs"]
 mod fnv;
 
 const SCENES: [&str; 12] = [

@@ -18,6 +18,7 @@ pub use kind::Kind;
 pub use leaf::{FACES, Leaf};
 pub use memory::Memory;
 pub use numbers::NumberType;
+pub use room::MOST_SPANS;
 
 use crate::error::{Error, ErrorKind};
 use crate::map::Vector;

@@ -25,9 +25,12 @@ const FROM: [[f64; 3]; 7] = [
 /// How many lines there are from everywhere, in each direction of a square.
 const LINES: u16 = 40;
 
+/// The most spans of a single ray that firmware gets room for.
+pub const MOST_SPANS: usize = 512;
+
 impl Bytes {
-    /// Of 8, 16, 32 and so on to 512, the fewest spans that are room enough for 11,200 lines through the part, within
-    /// a box. None, if 512 are too few.
+    /// Of 32, 64, 128, 256 and [`MOST_SPANS`], the fewest that are room enough for 11,200 lines through the part, within
+    /// a box. None, if all are too few.
     ///
     /// # Errors
     /// An [`Error`] for more than 1,024 parts.
@@ -54,14 +57,12 @@ fn found<S: Scalar>(bytes: &[u8], [low, high]: [Vector; 2]) -> Result<Option<usi
             Ray::new(narrow(middle + back * (radius * 1.1) + beside), narrow(-back)).ok()
         })
     });
-    let steps: [HasRoom<S>; 7] = [
-        has_room::<S, 8>,
-        has_room::<S, 16>,
+    let steps: [HasRoom<S>; 5] = [
         has_room::<S, 32>,
         has_room::<S, 64>,
         has_room::<S, 128>,
         has_room::<S, 256>,
-        has_room::<S, 512>,
+        has_room::<S, MOST_SPANS>,
     ];
     let mut step = 0;
     for line in lines {
@@ -72,7 +73,7 @@ fn found<S: Scalar>(bytes: &[u8], [low, high]: [Vector; 2]) -> Result<Option<usi
             }
         }
     }
-    Ok(Some(8 << step))
+    Ok(Some(32 << step))
 }
 
 fn has_room<S: Scalar, const N: usize>(part: &Read<S>, line: &Ray<S>) -> bool {

@@ -62,8 +62,10 @@ pub struct Upload<'b> {
     /// The device was told that it has everything.
     is_offered: bool,
     since: u32,
-    /// Sends without progress.
-    tries: u16,
+    /// Sends in a row that nothing new was heard of.
+    silences: u16,
+    /// How often the device had less than before, since it had more than ever.
+    losses: u16,
     /// The most that the device ever had.
     most: usize,
     /// The most bytes of a chunk.
@@ -75,8 +77,9 @@ pub struct Upload<'b> {
 impl<'b> Upload<'b> {
     /// An upload of which nothing is sent. More than 65,535 bytes are [`Refused`](Outcome::Refused) at once.
     ///
-    /// [`ticks`](Patience::ticks) without an answer, and a chunk is sent again. After so many times as there are
-    /// [`silences`](Patience::silences) without progress, the upload counts as unheard.
+    /// [`ticks`](Patience::ticks) without an answer, and a chunk is sent again. After as many
+    /// [`silences`](Patience::silences) in a row, the upload counts as unheard. So it does if a device loses what it
+    /// has as many times, and never has more than before.
     #[must_use]
     pub const fn new(bytes: &'b [u8], patience: Patience) -> Self {
         let is_long = bytes.len() > u16::MAX as usize;
@@ -92,7 +95,8 @@ impl<'b> Upload<'b> {
             is_due: true,
             is_offered: false,
             since: 0,
-            tries: 0,
+            silences: 0,
+            losses: 0,
             most: 0,
             limit: CHUNK_BYTES,
             device: None,
@@ -124,7 +128,8 @@ impl<'b> Upload<'b> {
             }
             if !self.is_due {
                 self.limit = (self.limit / 2).max(MIN_BYTES);
-                if self.has_failed() {
+                self.silences = self.silences.saturating_add(1);
+                if self.is_enough(self.silences) {
                     return UploadTask::Done(Outcome::Unheard);
                 }
             }
@@ -133,10 +138,9 @@ impl<'b> Upload<'b> {
         UploadTask::Send(self.packet.get(..self.ready).unwrap_or_default())
     }
 
-    /// There was no progress. Returns whether that is the end.
-    fn has_failed(&mut self) -> bool {
-        self.tries = self.tries.saturating_add(1);
-        let is_end = self.tries >= self.patience.silences;
+    /// Whether something has happened so often that the upload is over.
+    const fn is_enough(&mut self, times: u16) -> bool {
+        let is_end = times >= self.patience.silences;
         if is_end {
             self.outcome = Some(Outcome::Unheard);
         }
@@ -201,13 +205,17 @@ impl<'b> Upload<'b> {
             return;
         }
         if have > self.most {
-            (self.most, self.tries) = (have, 0);
+            (self.most, self.losses) = (have, 0);
         }
         if have > self.offset {
             self.limit = (self.limit * 2).min(CHUNK_BYTES);
-        } else if self.has_failed() {
-            return;
+        } else {
+            self.losses = self.losses.saturating_add(1);
+            if self.is_enough(self.losses) {
+                return;
+            }
         }
+        self.silences = 0;
         (self.offset, self.is_due, self.since) = (have, true, now);
     }
 }
