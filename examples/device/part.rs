@@ -2,9 +2,9 @@
 //! that isn't named isn't linked.
 
 use scancsg::program::Program;
+use scancsg::solid::{Cone, Cuboid, Cylinder, Sphere};
 #[cfg(not(board = "microbit"))]
 use scancsg::solid::{Polyhedron, Scaled};
-use scancsg::solid::{Cone, Cuboid, Cylinder, Sphere};
 
 #[cfg(not(board = "microbit"))]
 mod size {

@@ -39,11 +39,10 @@ fn on_line(
         }
     });
     let refused = |error| {
-        let needs = format!("it needs room for {} parts and {} poses", part.parts, part.poses);
-        Error::file(match part.faces {
-            0 => format!("{error}; {needs}"),
-            faces => format!("{error}; {needs}, and for polyhedra of {faces} faces (see --faces)"),
-        })
+        let kinds: Vec<String> = part.kinds().map(|kind| kind.solid(part.faces)).collect();
+        let (parts, poses, kinds) = (part.parts, part.poses, kinds.join(", "));
+        let faces = if part.faces > 0 { " (faces: see --faces)" } else { "" };
+        Error::file(format!("{error}; it has {parts} parts of {kinds}{faces}, and {poses} poses"))
     };
     received.map_err(refused)
 }
