@@ -4,11 +4,11 @@ use super::leaf::{FACES, Leaf};
 use crate::map::{Map, Vector};
 use crate::place::Body;
 use crate::tree::{Convex, Form};
-use scancsg::geom::{AffineMap, Axis, Vec3};
+use scancsg::geom::{AffineMap, Axis, Line, Vec3};
 use scancsg::program::{BytesError, Coded, Program, Reader, Writer};
 use scancsg::scalar::Scalar;
-use scancsg::solid::{Cone, Cuboid, Cylinder, Scaled, Sphere, Torus};
-use scancsg::span::Shape;
+use scancsg::solid::{Bounds, Cone, Cuboid, Cylinder, Scaled, Solid, Sphere, Torus};
+use scancsg::span::{Face, Shape, SpanStack};
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
@@ -104,7 +104,21 @@ impl<S: Scalar> Shape for Facets<'_, S> {
     const FACES: u16 = FACES as u16;
 }
 
-/// Only to be written: the constructors of polyhedra compute a box, which some of the faces may not have.
+/// Only its bytes count: what is read of them is a polyhedron. Constructors of polyhedra compute a box, which some of
+/// the faces may not have.
+impl<S: Scalar> Solid for Facets<'_, S> {
+    fn spans(&self, _: &Line<S>, _: Face, _: &mut SpanStack<'_, S>) {}
+
+    fn normal(&self, _: Face, _: Vec3<S>) -> Vec3<S> {
+        Vec3::ZERO
+    }
+
+    fn bounds(&self) -> Bounds<S> {
+        let [low, high] = self.corners;
+        Bounds::Box { low, high }
+    }
+}
+
 impl<S: Scalar<Unit: Scalar>> Coded for Facets<'_, S> {
     fn has_kind(_: u8) -> bool {
         false
