@@ -6,7 +6,7 @@ use crate::{port, report};
 use clap::Parser;
 use scancsg_scad::map::Map;
 use scancsg_scad::picture::{Angles, BACKGROUND, View, render, write_png};
-use scancsg_scad::program::{MOST_SPANS, NumberType, firmware, program};
+use scancsg_scad::program::{Bytes, MOST_SPANS, NumberType, deviation, firmware, program};
 use scancsg_scad::scene::Scene;
 use scancsg_scad::{Error, ErrorKind, Lowered, Model, lower, parse, read, rust};
 use std::fs;
@@ -129,7 +129,7 @@ fn act(options: &Options) -> Result<(), Error> {
     let scene = Scene::of(&model)?;
     let modelled = began.elapsed();
     if let Some(device) = &options.port {
-        let make = |number| program(&model, number, options.faces.into());
+        let make = |number| made(&model, number, options);
         let frame = port::picture(device, options.baud, make)?;
         let [width, height] = [frame.header.width, frame.header.height];
         say!("{width} x {height} pixels from {device} in {:.1?}", began.elapsed());
@@ -145,11 +145,12 @@ fn act(options: &Options) -> Result<(), Error> {
     if let Some(path) = &options.rust {
         save(path, rust(&model, "PART")?.as_bytes())?;
     }
-    let made = program(&model, options.number, options.faces.into());
-    if let Some(path) = &options.program {
+    let is_wanted = options.report || options.program.is_some() || options.firmware.is_some();
+    let made = is_wanted.then(|| made(&model, options.number, options));
+    if let (Some(path), Some(made)) = (&options.program, &made) {
         save(path, &made.clone()?.bytes)?;
     }
-    if let Some(path) = &options.firmware {
+    if let (Some(path), Some(made)) = (&options.firmware, &made) {
         let (made, corners) = (made.clone()?, scene.corners());
         let spans = corners.map(|corners| working("tracing", || made.spans(corners)));
         let spans = spans.transpose()?.flatten().unwrap_or(MOST_SPANS);
@@ -162,14 +163,31 @@ fn act(options: &Options) -> Result<(), Error> {
         || options.port.is_some();
     if options.report {
         report::part(counts, &model, &scene, options.pixels, modelled);
-        match made {
-            Ok(made) => report::program(&made, &scene, options.camera)?,
+        match made.transpose() {
+            Ok(made) => {
+                made.map_or(Ok(()), |made| report::program(&made, &scene, options.camera))?
+            }
             Err(error) => say!("program    none in {}: {error}", options.number),
         }
     } else if !is_written {
         say!("modelled: {} solids, {} operators", counts.solids, counts.operators);
     }
     Ok(())
+}
+
+/// The part as a program. Says so if the number type hasn't the digits for it.
+fn made(model: &Model, number: NumberType, options: &Options) -> Result<Bytes, Error> {
+    let faces = options.faces.into();
+    let made = working("writing", || program(model, number, faces))?;
+    match working("comparing", || deviation(model, number, faces, options.camera)) {
+        Ok(deviation) => {
+            if let Some(warning) = deviation.warning() {
+                eprintln!("warning: {warning}");
+            }
+        }
+        Err(error) => eprintln!("warning: the program isn't compared with the part: {error}"),
+    }
+    Ok(made)
 }
 
 fn save(path: &Path, bytes: &[u8]) -> Result<(), Error> {

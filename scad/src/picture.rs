@@ -123,7 +123,8 @@ where
     done.map(|()| pixels)
 }
 
-fn render_rows<S, T, P>(
+/// Renders some rows.
+pub(crate) fn render_rows<S, T, P>(
     part: &T,
     view: &View,
     size: Size,

@@ -39,11 +39,10 @@ fn on_line(
         }
     });
     let refused = |error| {
-        let needs = format!("it needs room for {} parts and {} poses", part.parts, part.poses);
-        Error::file(match part.faces {
-            0 => format!("{error}; {needs}"),
-            faces => format!("{error}; {needs}, and for polyhedra of {faces} faces (see --faces)"),
-        })
+        let kinds: Vec<String> = part.kinds().map(|kind| kind.solid(part.faces)).collect();
+        let (parts, poses, kinds) = (part.parts, part.poses, kinds.join(", "));
+        let faces = if part.faces > 0 { " (faces: see --faces)" } else { "" };
+        Error::file(format!("{error}; it has {parts} parts of {kinds}{faces}, and {poses} poses"))
     };
     received.map_err(refused)
 }
@@ -57,7 +56,9 @@ mod tests {
     use scancsg::geom::vec3;
     use scancsg::program::Program;
     use scancsg::render::{Gray8, Lambert, Orthographic, Picture, RowSource, Size};
-    use scancsg::stream::{Inbox, PixelFormat, Plain, Sender, packet_capacity, serve, take};
+    use scancsg::stream::{
+        Inbox, PixelFormat, Plain, Refusal, Sender, packet_capacity, serve, take,
+    };
     use scancsg_scad::program::{FACES, Leaf, NumberType, program};
     use scancsg_scad::{Model, lower, parse};
     use std::error::Error;
@@ -115,6 +116,31 @@ mod tests {
         assert_eq!(frame.pixels, want);
         // The host hangs up as soon as it has the picture, so the device may hear no acknowledgement.
         assert!(thread.join().is_ok());
+        Ok(())
+    }
+
+    /// A device that doesn't know a kind of part, say: the error has what the part is made of.
+    #[test]
+    fn a_refusal_comes_with_what_the_part_has() -> Result<(), Box<dyn Error>> {
+        let (host, device) = loopback()?;
+        thread::spawn(move || {
+            let line = Line::new(Wire::new(device, Trouble::default()));
+            let mut memory = [0; 512];
+            let mut inbox = Inbox::new(&mut memory, 32);
+            if take(&mut inbox, &mut &line, &mut &line).is_ok() {
+                inbox.refuse(Refusal::Kind);
+                let _ = take(&mut inbox, &mut &line, &mut &line);
+            }
+        });
+        let model = Model::of(lower(&parse(TEXT)?, false)?.tree)?;
+        match on_line(host, None, |number| program(&model, number, FACES)) {
+            Err(error) => {
+                let said = error.to_string();
+                assert!(said.contains("a kind that the device doesn't know"), "{said}");
+                assert!(said.ends_with("2 parts of Cuboid<S>, Sphere<S>, and 0 poses"), "{said}");
+            }
+            Ok(_) => assert_eq!("an error", ""),
+        }
         Ok(())
     }
 

@@ -62,12 +62,45 @@ fn files_are_what_a_device_reads() -> Result<(), Box<dyn Error>> {
     let [scene_name, rust_name] = [&scene, &rust].map(|path| path.to_string_lossy().into_owned());
     let arguments = ["--program", &scene_name, "--firmware", &rust_name, "--number", "i16f16"];
     let output = run(&[&[hinge.as_str()], &arguments[..]].concat())?;
-    assert!(output.status.success(), "{output:?}");
+    assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
     let bytes = fs::read(scene)?;
     assert_eq!(Program::<Leaf<I16F16>, 29>::from_bytes(&bytes)?.part_count(), 29);
     let rust = fs::read_to_string(rust)?;
     assert!(rust.contains("pub type Part = Program<Leaf<I16F16>, 29, 0, 32>;"), "{rust}");
     assert!(rust.contains(&format!("pub static BYTES: [u8; {}]", bytes.len())), "{rust}");
+    Ok(())
+}
+
+/// What the number type hasn't the digits for is said, with the line. What should help does.
+#[test]
+fn a_program_that_is_not_its_part_is_warned_of() -> Result<(), Box<dyn Error>> {
+    let sheared = "cube(size = [0.1, 0.1, 0.01]);
+        multmatrix([[0.01,0.003,0,0],[0,0.01,0.002,0],[0,0,0.01,0],[0,0,0,1]]) {
+            minkowski() {
+                cube(size = [10, 8, 4]);
+                cylinder($fn = 48, h = 1, r1 = 2, r2 = 0);
+            }
+        }";
+    let large = "intersection() {
+            cube(size = [10, 10, 10], center = true);
+            multmatrix([[1,0,0,0],[0,1,0,0],[0,0,1,-1e9],[0,0,0,1]]) { sphere(r = 1e9); }
+        }";
+    let [sheared, large] = [part("sheared.csg", sheared)?, part("large.csg", large)?];
+    let out = scratch("warned.scene").to_string_lossy().into_owned();
+    let warning = |options: &[&str]| -> Result<String, std::io::Error> {
+        let output = run(&[options, &["--program", &out]].concat())?;
+        assert!(output.status.success(), "{output:?}");
+        Ok(String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    assert_eq!(warning(&[&sheared])?, "");
+    let said = warning(&[&sheared, "--number", "i16f16"])?;
+    assert!(said.starts_with("warning: line 3: in i16f16, "), "{said}");
+    let scale = said.split("--scale ").nth(1).and_then(|rest| rest.split(' ').next());
+    let scale = scale.ok_or("nothing helps")?;
+    assert_eq!(warning(&[&sheared, "--number", "i16f16", "--scale", scale])?, "");
+
+    let said = warning(&[&large])?;
+    assert!(said.starts_with("warning: line 3: in f32, "), "{said}");
     Ok(())
 }
 

@@ -121,7 +121,7 @@ fn what_has_no_room_is_an_error_that_says_what_helps() -> Result<(), Box<dyn Err
     let Err(error) = program(&model(&many)?, NumberType::F32, FACES) else {
         return Err("it fits".into());
     };
-    assert!(error.to_string().contains("of 65535"), "{error}");
+    assert!(error.to_string().contains("more than 65535 bytes"), "{error}");
     assert!(
         program(&model("difference() { cube(size = [1, 1, 0]); }")?, NumberType::F32, FACES)
             .is_err()

@@ -31,32 +31,12 @@ impl Kind {
         Self::ScaledTorus,
     ];
 
-    /// The byte that stands for it in a program.
-    pub(super) fn tag(self) -> u8 {
-        match self {
-            Self::Cylinder => 1,
-            Self::Cuboid => 2,
-            Self::Sphere => 3,
-            Self::Cone => 4,
-            Self::Torus => 5,
-            Self::Polyhedron => 7,
-            Self::ScaledCylinder | Self::ScaledSphere | Self::ScaledCone | Self::ScaledTorus => 8,
-        }
-    }
-
     /// Whether it is another solid, stretched.
     pub(super) fn is_scaled(self) -> bool {
-        self.tag() == 8
-    }
-
-    /// The kind of a solid like this that is stretched.
-    pub(super) fn scaled(self) -> Self {
-        match self {
-            Self::Cylinder => Self::ScaledCylinder,
-            Self::Cone => Self::ScaledCone,
-            Self::Torus => Self::ScaledTorus,
-            _ => Self::ScaledSphere,
-        }
+        matches!(
+            self,
+            Self::ScaledCylinder | Self::ScaledSphere | Self::ScaledCone | Self::ScaledTorus
+        )
     }
 
     /// Its type in Rust, for polyhedra of so many faces.
