@@ -1,6 +1,7 @@
 //! The things that are used, each behind a feature.
 
 use crate::scene::Scene;
+use crate::scene::housing::HousingScene;
 #[cfg(any(feature = "serde", feature = "mint"))]
 use core::hint::black_box;
 use scancsg::Error;
@@ -12,7 +13,7 @@ const WIDTH: u16 = 160;
 const HEIGHT: u16 = 120;
 
 /// A number made of everything that is done, so that nothing is left out.
-pub fn all<S: Scene>() -> Result<u32, Error>
+pub fn all<S: HousingScene>() -> Result<u32, Error>
 where
     Cylinder<S>: Scan<OrthographicRays<S>, Scalar = S>,
     Cuboid<S>: Scan<OrthographicRays<S>, Scalar = S>,
@@ -21,6 +22,8 @@ where
     let camera = S::orthographic()?;
     let seen = if cfg!(feature = "program") {
         used(&crate::scene::program::tee::<S>()?, &camera)?
+    } else if cfg!(feature = "housing") {
+        used(&S::HOUSING, &camera)?
     } else {
         used(&S::TEE, &camera)?
     };

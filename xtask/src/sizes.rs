@@ -32,7 +32,7 @@ const FIRMWARE: [(&str, &str); 4] = [
 ];
 
 /// Features of the example `costs`, and what they do there besides.
-const USES: [(&str, &str); 9] = [
+const USES: [(&str, &str); 10] = [
     ("", "renders `tee` through `dyn RowSource`"),
     ("mint", "`mint`: a point there and back"),
     ("serde", "`serde`: a size through postcard, there and back"),
@@ -41,7 +41,8 @@ const USES: [(&str, &str); 9] = [
     ("predictive", "`serve` with `Predictive` rows"),
     ("async", "`async`: `serve_async` with `Predictive` rows"),
     ("defmt", "`defmt`: a line of log, through semihosting"),
-    ("program", "a `Program` of three kinds of solids in place of the typed tree"),
+    ("housing", "`housing` in place of `tee`: besides cylinders, a box and spheres"),
+    ("program", "a `Program` of cylinders, boxes and spheres in place of the typed tree"),
 ];
 
 /// Chips' clocks in MHz, with the board whose core counts their instructions.

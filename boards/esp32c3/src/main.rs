@@ -57,7 +57,7 @@ fn main() -> ! {
 }
 
 fn run() -> Result<(), Error> {
-    // Of the port's own errors: they are the display's.
+    // Errors of the port, too, are errors of the display.
     let chip = esp_hal::init(esp_hal::Config::default());
     let config = Config::default().with_frequency(Rate::from_mhz(40));
     let spi = Spi::new(chip.SPI2, config).map_err(|_| DisplayError::Draw)?;

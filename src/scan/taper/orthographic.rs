@@ -18,8 +18,8 @@ use crate::scan::bounds::Steps;
 /// How rays meet the wall's nappe.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Curve {
-    /// Nearly along the side, or however.
-    Any,
+    /// Nearly along the side, or however. Not 0: so a view that isn't set yet is all zeros.
+    Any = 1,
     /// Flatter than the side: twice.
     Ellipse,
     /// Steeper than the side: once.
