@@ -12,8 +12,5 @@ mod absurd_numbers;
 mod inspect;
 mod pipe;
 mod placed_far;
-mod poses;
 mod scaled;
 mod section;
-mod shared_axis;
-mod tiny_solids;
