@@ -9,8 +9,9 @@ extern crate testkit;
 
 use testkit::{caster, limits, number};
 
+#[path = "../heavy/aim.rs"]
+mod aim;
 mod bad_input;
-mod by_line;
 mod compound;
 mod cones;
 mod constructors;
@@ -28,5 +29,4 @@ mod secondary;
 mod smooth;
 mod spans;
 mod telephoto;
-mod tori;
 mod walks;

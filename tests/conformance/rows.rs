@@ -1,5 +1,6 @@
 //! Rows of pictures where it is easy to lose or to invent a pixel.
 
+use crate::aim::{direction, from_middle, up};
 use crate::number::{Tested, ball, between, rod, vector};
 use proptest::prelude::*;
 use scancsg::geom::{Rays, Vec3};
@@ -17,10 +18,6 @@ for_every_number!(
     extents_cut_nothing_off,
     a_row_is_its_runs,
 );
-
-pub fn up<S: Tested>() -> Vec3<S> {
-    vector([0.0, 1.0, 0.0])
-}
 
 /// Of every pixel of a picture, whether it sees the solid.
 fn seen<S, T, C>(solid: &T, camera: &C, side: u16) -> Vec<Vec<bool>>
@@ -137,11 +134,6 @@ fn a_merge_ends_whatever_it_is_given<S: Tested>() {
     assert_eq!(*list, [of(0.0, 1.0), of(0.5, 3.0)]);
 }
 
-/// The centre of a pixel, in half pixels.
-pub fn from_middle(index: u32, count: u32) -> i32 {
-    2 * index as i32 + 1 - count as i32
-}
-
 /// Asks a row in every column, and wants nothing outside of its extent.
 fn check_extents<S, T, R>(solid: &T, rays: &R, size: Size) -> Result<(), TestCaseError>
 where
@@ -166,11 +158,6 @@ where
         }
     }
     Ok(())
-}
-
-pub fn direction() -> impl Strategy<Value = [f64; 3]> {
-    [-1f64..1.0, -1f64..1.0, -1f64..1.0]
-        .prop_filter("a direction", |v| v.iter().map(|x| x * x).sum::<f64>() > 0.01)
 }
 
 /// A row may be asked in too many columns, never in too few: with solids of any size, near the

@@ -2,8 +2,8 @@
 //! of columns. It must be what the list of all spans says, bit by bit, with the same faces: the merge of
 //! what each leaf says, by the same tree, without silhouettes, so that none is left out of the list.
 
+use crate::aim::{direction, from_middle, up};
 use crate::number::{Tested, ball, between, vector};
-use crate::rows::{direction, from_middle, up};
 use proptest::prelude::*;
 use scancsg::geom::{AffineMap, Axis, Line, OrthographicRays, PerspectiveRays, Pose, Rays, Vec3};
 use scancsg::render::{Camera, Orthographic, Perspective, Size};

@@ -13,8 +13,5 @@ mod beside_the_origin;
 mod inspect;
 mod pipe;
 mod placed_far;
-mod poses;
 mod scaled;
 mod section;
-mod shared_axis;
-mod tiny_solids;

@@ -10,7 +10,6 @@ mod curves;
 mod editing;
 mod ends_of_range;
 mod number;
-mod polylines;
 mod properties;
 mod reference;
 mod search;

@@ -32,7 +32,11 @@ const STEPS: [Step; 21] = [
     Step { name: "layers", what: "files import downwards, and in no circle", run: layers },
     Step { name: "lints", what: "clippy, on all members and all features", run: lints },
     Step { name: "test", what: "README's test command", run: test },
-    Step { name: "features", what: "what other crates' types become, by feature", run: features },
+    Step {
+        name: "features",
+        what: "what features add: other crates' types, the asynchronous link",
+        run: features,
+    },
     Step { name: "members", what: "tests of the test kit and of the chores", run: members },
     Step { name: "docs", what: "documentation without a warning", run: docs },
     Step { name: "accuracy", what: "every target, against exact arithmetic", run: accuracy },
@@ -136,14 +140,13 @@ fn test() -> Result<(), String> {
 /// What README's test command leaves out, which has no features.
 fn features() -> Result<(), String> {
     done(&mut command(
-        "cargo test --package scancsg --all-features --test embedded_graphics --test serde",
+        "cargo test --package scancsg --all-features --test embedded_graphics --test serde --test stream_async",
     ))?;
     done(&mut command("cargo test --package scancsg --all-features --doc -- interop cookbook"))
 }
 
 fn members() -> Result<(), String> {
-    done(&mut command("cargo test --package testkit --package xtask --package display"))?;
-    done(&mut command("cargo test --package scancsg --features async --test stream_async"))
+    done(&mut command("cargo test --package testkit --package xtask --package display"))
 }
 
 fn docs() -> Result<(), String> {

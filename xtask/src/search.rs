@@ -7,10 +7,11 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 
 /// What has random tests.
-const SUITES: [&str; 11] = [
+const SUITES: [&str; 12] = [
     "--lib",
     "--test conformance",
     "--test exact",
+    "--test heavy",
     "--test hostile_bytes",
     "--test program_bytes",
     "--test programs",
@@ -74,7 +75,16 @@ fn fresh() -> u32 {
 /// The tests of a suite.
 fn tests(suite: &str) -> Command {
     let mut command = Command::new("cargo");
-    command.args(["test", "--quiet", "--profile", "search", "--package", "scancsg"]);
+    command.args([
+        "test",
+        "--quiet",
+        "--profile",
+        "search",
+        "--package",
+        "scancsg",
+        "--package",
+        "heavy",
+    ]);
     command.args(suite.split(' ')).current_dir(root());
     command
 }
@@ -120,10 +130,11 @@ mod tests {
 
     #[test]
     fn suites_are_there() {
+        let tests = root().join("tests");
         for name in SUITES.iter().filter_map(|suite| suite.strip_prefix("--test ")) {
-            let tests = root().join("tests");
-            let places = [tests.join(name).join("main.rs"), tests.join(format!("{name}.rs"))];
-            assert!(places.iter().any(|place| place.exists()), "{name}");
+            let places =
+                [format!("{name}/main.rs"), format!("{name}/{name}.rs"), format!("{name}.rs")];
+            assert!(places.iter().any(|place| tests.join(place).exists()), "{name}");
         }
     }
 }

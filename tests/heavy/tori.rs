@@ -1,9 +1,9 @@
 //! The torus: in pictures what its lines say, and hits on its surface. Its lines alone are in
 //! `tests/torus_exact.rs`.
 
+use crate::aim::{direction, from_middle, up};
 use crate::limits;
 use crate::number::{Tested, coordinates, ray, spans, vector};
-use crate::rows::{direction, from_middle, up};
 use proptest::prelude::*;
 use scancsg::geom::{Pose, Ray, RayRow, Rays, Vec3};
 use scancsg::render::{Camera, Gray8, Orthographic, Perspective, Picture, Size, XRay};

@@ -1,8 +1,8 @@
 //! Solids that are asked line by line: what their bounds leave out can't be seen, and more than one span
 //! is walked like the list says.
 
+use crate::aim::{direction, up};
 use crate::number::{Tested, ball, between, vector};
-use crate::rows::{direction, up};
 use proptest::prelude::*;
 use scancsg::geom::{Line, Rays, Vec3};
 use scancsg::render::{Camera, Gray8, Orthographic, Perspective, Picture, Size, XRay};
@@ -139,7 +139,7 @@ fn two_spans_on_either_side<S: Tested>() {
         use scancsg::geom::RayRow;
         let (x, y) = (index % usize::from(SIZE[0]), index / usize::from(SIZE[0]));
         let [x, y] = [[x, SIZE[0].into()], [y, SIZE[1].into()]]
-            .map(|[at, count]| crate::rows::from_middle(at as u32, count as u32));
+            .map(|[at, count]| crate::aim::from_middle(at as u32, count as u32));
         let mut list = SpanList::<S, 32>::new();
         union.spans(&rays.row(y).line(x), Face(0), &mut list.stack());
         let want: Vec<_> = list.iter().map(|span| [span.enter.t, span.exit.t]).collect();

@@ -1,7 +1,7 @@
 //! Polylines against a greedy walk over close samples of the curve, in `f64`: another evaluation, another
 //! search, another measure of distance.
 
-use crate::number::Numeric;
+use crate::numeric::Numeric;
 use scancsg::scalar::I16F16;
 use scancsg::spline::{Curve, Knots, Vertex};
 use testkit::random::Random;
