@@ -13,7 +13,7 @@ pub use cone::{Cone, ConeError};
 pub use cuboid::{Cuboid, CuboidError};
 pub use cylinder::{AxisCylinder, Cylinder, CylinderError, CylinderWall, WallHit};
 pub use half_space::HalfSpaceError;
-pub use polyhedron::{Polyhedron, PolyhedronError};
+pub use polyhedron::{Polyhedron, PolyhedronError, Pooled};
 pub use slab::{Slab, SlabError};
 pub use sphere::{Sphere, SphereError};
 pub use torus::{Torus, TorusError};

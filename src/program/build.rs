@@ -1,6 +1,7 @@
 //! Programs, and how they are built and changed.
 
-use super::in_place::InPlace;
+use super::in_place::{InPlace, Whole};
+use super::pool::Pool;
 use super::tree::{Kind, MOST_LEAVES, Tree, TreeRef};
 use crate::geom::Pose;
 use crate::solid::Rgb;
@@ -68,15 +69,25 @@ use crate::span::Shape;
 /// `SPANS` is the room for the spans of a single ray, and while they are merged. More of them are an
 /// error of [`trace`](Self::trace) and [`hit`](Self::hit). Pictures need no such room.
 ///
+/// `POOL` is the room for the faces of [`Pooled`](crate::solid::Pooled) polyhedra, all parts' together: see
+/// [`push_polyhedron`](Self::push_polyhedron).
+///
 /// Part i has the faces from i times [`Shape::FACES`] of `L` on.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Program<L: Shape, const PARTS: usize, const POSES: usize = 0, const SPANS: usize = 32> {
+pub struct Program<
+    L: Shape,
+    const PARTS: usize,
+    const POSES: usize = 0,
+    const SPANS: usize = 32,
+    const POOL: usize = 0,
+> {
     /// Behind the last one, the first one again and again.
     pub(super) leaves: [L; PARTS],
     pub(super) places: [Place; PARTS],
     tree: Tree<PARTS>,
     pub(super) poses: [Pose<L::Scalar>; POSES],
     pub(super) pose_count: u8,
+    pub(super) pool: Pool<L::Scalar, POOL>,
 }
 
 /// What else there is of a part.
@@ -103,6 +114,8 @@ crate::error_text! {
         Parts => "the program has no room for another part",
         /// There is no room for another pose.
         Poses => "the program has no room for another pose",
+        /// There is no room for so many faces: in the pool, or in a leaf.
+        Faces => "the program has no room for so many faces",
         /// There are fewer operands than are to be combined.
         Operands => "there are fewer operands than are to be combined",
         /// No part has this index.
@@ -116,8 +129,8 @@ crate::error_text! {
     }
 }
 
-impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize>
-    Program<L, PARTS, POSES, SPANS>
+impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize, const POOL: usize>
+    Program<L, PARTS, POSES, SPANS, POOL>
 where
     L: Copy,
 {
@@ -129,6 +142,7 @@ where
             assert!(PARTS < MOST_LEAVES, "a program has less than 16,384 parts");
             assert!(POSES < NO_POSE as usize, "a program has at most 254 poses");
             assert!(PARTS * (L::FACES as usize) < u16::MAX as usize - 2, "too many faces");
+            assert!(POOL < u16::MAX as usize, "a pool has less than 65,535 faces");
         }
         Self {
             leaves: [first; PARTS],
@@ -136,6 +150,7 @@ where
             tree: Tree::LEAF,
             poses: [Pose::IDENTITY; POSES],
             pose_count: 0,
+            pool: Pool::EMPTY,
         }
     }
 
@@ -187,6 +202,7 @@ where
             return Err(ProgramError::CutInto);
         }
         self.tree.remove(part);
+        self.pool.remove(part);
         let mut index = part;
         while index + 1 < count {
             self.leaves[index] = self.leaves[index + 1];
@@ -197,8 +213,8 @@ where
     }
 }
 
-impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize>
-    Program<L, PARTS, POSES, SPANS>
+impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize, const POOL: usize>
+    Program<L, PARTS, POSES, SPANS, POOL>
 {
     /// Takes the last `count` operands for their union.
     ///
@@ -273,7 +289,7 @@ impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize>
 
     /// Nothing is left, not even a part: until one is pushed.
     pub(super) fn clear(&mut self) {
-        (self.tree, self.pose_count) = (Tree::NOTHING, 0);
+        (self.tree, self.pose_count, self.pool) = (Tree::NOTHING, 0, Pool::EMPTY);
     }
 
     pub(super) const fn check(&self, part: usize) -> Result<(), ProgramError> {
@@ -303,10 +319,11 @@ impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize>
     }
 
     /// A part where it stands, and whether it is cut away.
-    pub(super) fn in_place(&self, part: usize) -> Option<(InPlace<'_, L>, bool)> {
+    pub(super) fn in_place(&self, part: usize) -> Option<(InPlace<'_, L, POOL>, bool)> {
         let (leaf, place) = (self.leaves().get(part)?, self.places.get(part)?);
         let pose = self.poses.get(usize::from(place.pose));
         let color = place.is_painted.then_some(place.color);
+        let leaf = Whole { leaf, pool: &self.pool, part };
         Some((InPlace { leaf, pose, color }, place.is_cut))
     }
 

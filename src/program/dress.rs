@@ -5,8 +5,8 @@ use crate::geom::Pose;
 use crate::solid::Rgb;
 use crate::span::Shape;
 
-impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize>
-    Program<L, PARTS, POSES, SPANS>
+impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize, const POOL: usize>
+    Program<L, PARTS, POSES, SPANS, POOL>
 {
     /// Gives a part a colour, or takes it away. Faces of a part that have one of their own keep that.
     ///

@@ -7,8 +7,8 @@
 /// parameter is the number type.
 ///
 /// Each part takes as much memory as the largest of these solids, and so do its view and its row. So a
-/// [`Polyhedron`](crate::solid::Polyhedron) is named with the number of faces that most need: those with more are an intersection of
-/// several.
+/// [`Polyhedron`](crate::solid::Polyhedron) is named with the number of faces that most need. The faces of those
+/// with more lie in the program's pool: name [`Pooled`](crate::solid::Pooled) for them.
 ///
 /// Where all of the solids have a form as bytes ([`Coded`](crate::program::Coded)), the enum has one, too.
 ///
@@ -46,8 +46,8 @@ macro_rules! leaves {
         const _: () = {
             use $crate::geom::{Line, Vec3};
             use $crate::scalar::{Number, Scalar};
-            use $crate::scan::{ColumnRun, Empty, Scan};
-            use $crate::solid::{Bounds, Rgb, Shape, Solid};
+            use $crate::scan::{ColumnRun, Empty, FaceView, PoolRow, Scan};
+            use $crate::solid::{Bounds, HalfSpace, Rgb, Shape, Solid};
             use $crate::span::walk::{Path, Step};
             use $crate::span::{Face, SpanStack};
 
@@ -109,6 +109,13 @@ macro_rules! leaves {
                 fn color(&self, face: Face) -> Option<Rgb> {
                     match self {
                         $(Self::$Kind(solid) => solid.color(face),)+
+                    }
+                }
+
+                #[inline]
+                fn pooled(&self) -> Option<[Vec3<$S>; 2]> {
+                    match self {
+                        $(Self::$Kind(solid) => solid.pooled(),)+
                     }
                 }
             }
@@ -244,6 +251,59 @@ macro_rules! leaves {
                             solid.step::<P>(view, row, x, t, first)
                         })+
                         _ => Step::OUTSIDE,
+                    }
+                }
+
+                fn view_faces(
+                    &self,
+                    rays: &R,
+                    faces: &[HalfSpace<$S>],
+                    views: &mut [FaceView<$S>],
+                    range: [u16; 2],
+                    view: &mut Self::View,
+                ) {
+                    match (self, view) {
+                        $((Self::$Kind(solid), Stage::$Kind(view)) => {
+                            solid.view_faces(rays, faces, views, range, view);
+                        })+
+                        _ => {}
+                    }
+                }
+
+                fn row_faces(
+                    &self,
+                    view: &Self::View,
+                    pool: PoolRow<'_, $S>,
+                    y: i32,
+                    columns: u32,
+                    row: &mut Self::Row,
+                ) {
+                    match (self, view) {
+                        $((Self::$Kind(solid), Stage::$Kind(view)) => {
+                            if !matches!(row, Stage::$Kind(_)) {
+                                *row = Stage::$Kind(Empty::EMPTY);
+                            }
+                            if let Stage::$Kind(row) = row {
+                                solid.row_faces(view, pool, y, columns, row);
+                            }
+                        })+
+                        _ => {}
+                    }
+                }
+
+                #[inline(always)]
+                fn ray_faces(
+                    &self,
+                    view: &Self::View,
+                    pool: PoolRow<'_, $S>,
+                    x: i32,
+                    row: &mut Self::Row,
+                ) {
+                    match (self, view, row) {
+                        $((Self::$Kind(solid), Stage::$Kind(view), Stage::$Kind(row)) => {
+                            solid.ray_faces(view, pool, x, row);
+                        })+
+                        _ => {}
                     }
                 }
             }

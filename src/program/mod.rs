@@ -4,6 +4,7 @@
 //! |---|---|
 //! | name what parts may be | [`leaves!`](crate::leaves) |
 //! | build a tree | [`Program::new`], [`push`](Program::push), [`unite`](Program::unite), [`intersect`](Program::intersect), [`subtract`](Program::subtract) |
+//! | add polyhedra of many faces, or change them | [`push_polyhedron`](Program::push_polyhedron), [`set_faces`](Program::set_faces) |
 //! | change it | [`part_mut`](Program::part_mut), [`paint`](Program::paint), [`remove`](Program::remove) |
 //! | move several parts together | [`add_pose`](Program::add_pose), [`place`](Program::place), [`set_pose`](Program::set_pose) |
 //! | render it | a [`Picture`](crate::render::Picture), as of any solid |
@@ -15,7 +16,8 @@
 //! parts are combined. The work for a pixel is bounded by its capacities: in each turn of a walk at most all parts
 //! are asked, and there are at most as many turns as the parts have crossings.
 //!
-//! Memory is the program, and in a picture the views and rows of all parts that there is room for.
+//! Memory is the program, and in a picture the views and rows of all parts and of all
+//! faces in the pool that there is room for.
 
 mod build;
 mod bytes;
@@ -23,6 +25,7 @@ mod dress;
 mod in_place;
 mod leaves;
 mod picture;
+mod pool;
 mod ray;
 mod solid;
 mod tree;

@@ -4,14 +4,14 @@ use super::build::Program;
 use super::tree::{Fold, hide, hide_all_but, shorten};
 use crate::geom::Rays;
 use crate::scalar::Scalar;
-use crate::scan::{ColumnRun, Empty, GroupRow, Member, Scan};
+use crate::scan::{ColumnRun, Empty, FaceRows, FaceView, GroupRow, Member, PoolRow, Scan};
 use crate::span::chain::{self, Chained, Link};
 use crate::span::walk::{Cold, Hot, Path, Step};
-use crate::span::{Face, Operation};
+use crate::span::{Face, Operation, Shape};
 
 /// The rows of a program's parts, and the chains of those that matter.
 #[derive(Debug, Clone, Copy)]
-pub struct ProgramRow<D, const N: usize> {
+pub struct ProgramRow<D, F, const N: usize> {
     parts: GroupRow<[Member<D>; N]>,
     /// The chain of the parts that may be seen in the band of rows.
     band: [Link; N],
@@ -19,39 +19,58 @@ pub struct ProgramRow<D, const N: usize> {
     /// The same in the run of columns.
     run: [Link; N],
     run_entry: u16,
+    /// The rows of the faces in the pool.
+    faces: F,
 }
 
-impl<D: Empty, const N: usize> Empty for ProgramRow<D, N> {
+impl<D: Empty, F: Empty, const N: usize> Empty for ProgramRow<D, F, N> {
     const EMPTY: Self = {
         let links = [Link { inside: 0, outside: 0 }; N];
-        Self { parts: GroupRow::EMPTY, band: links, band_entry: 0, run: links, run_entry: 0 }
+        Self {
+            parts: GroupRow::EMPTY,
+            band: links,
+            band_entry: 0,
+            run: links,
+            run_entry: 0,
+            faces: F::EMPTY,
+        }
     };
 }
 
-impl<R, L, const PARTS: usize, const POSES: usize, const SPANS: usize> Scan<R>
-    for Program<L, PARTS, POSES, SPANS>
+impl<R, L, const PARTS: usize, const POSES: usize, const SPANS: usize, const POOL: usize> Scan<R>
+    for Program<L, PARTS, POSES, SPANS, POOL>
 where
     L: Scan<R>,
     R: Rays<Scalar = L::Scalar>,
 {
-    type View = [L::View; PARTS];
-    type Row = ProgramRow<L::Row, PARTS>;
+    type View = ([L::View; PARTS], [FaceView<L::Scalar>; POOL]);
+    type Row = ProgramRow<L::Row, FaceRows<L::Scalar, POOL>, PARTS>;
 
-    fn view(&self, rays: &R, views: &mut Self::View) {
+    fn view(&self, rays: &R, (views, faces): &mut Self::View) {
         for (index, view) in views.iter_mut().enumerate() {
-            if let Some((part, _)) = self.in_place(index) {
-                part.view(rays, view);
+            let Some((part, _)) = self.in_place(index) else { break };
+            match part.pose {
+                Some(pose) => self.view_part(index, &rays.back_from(pose), view, faces),
+                None => self.view_part(index, rays, view, faces),
             }
         }
     }
 
-    fn is_in_rows(&self, views: &Self::View, rows: [i32; 2]) -> bool {
+    fn is_in_rows(&self, (views, _): &Self::View, rows: [i32; 2]) -> bool {
         let mut parts = self.leaves().iter().zip(views);
         parts.any(|(leaf, view)| leaf.is_in_rows(view, rows))
     }
 
-    fn row(&self, views: &Self::View, y: i32, columns: u32, row: &mut Self::Row) {
-        let ProgramRow { parts, band, band_entry, run, .. } = row;
+    fn row(&self, (views, face_views): &Self::View, y: i32, columns: u32, row: &mut Self::Row) {
+        let ProgramRow { parts, band, band_entry, run, faces, .. } = row;
+        if POOL > 0 {
+            for (index, (leaf, view)) in self.leaves().iter().zip(views).enumerate() {
+                let pool = PoolRow::new(&self.pool.faces, face_views, faces);
+                if let Some(row) = parts.row_of(index) {
+                    leaf.row_faces(view, pool, y, columns, row);
+                }
+            }
+        }
         let parts = parts.as_slice_mut();
         let last = parts.band();
         if last != 0 {
@@ -66,7 +85,7 @@ where
     }
 
     fn enter(row: &mut Self::Row, column: u32) -> ColumnRun {
-        let ProgramRow { parts, band, band_entry, run, run_entry } = row;
+        let ProgramRow { parts, band, band_entry, run, run_entry, .. } = row;
         let parts = parts.as_slice_mut();
         if parts.is_entered(column) {
             return ColumnRun {
@@ -106,25 +125,65 @@ where
     }
 }
 
+impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize, const POOL: usize>
+    Program<L, PARTS, POSES, SPANS, POOL>
+{
+    /// Gets a part ready, along rays in its frame.
+    fn view_part<R>(
+        &self,
+        index: usize,
+        rays: &R,
+        view: &mut L::View,
+        faces: &mut [FaceView<L::Scalar>; POOL],
+    ) where
+        L: Scan<R>,
+    {
+        let Some(leaf) = self.leaves.get(index) else { return };
+        leaf.view(rays, view);
+        if POOL > 0 {
+            let [start, end] = self.pool.range(index);
+            if let (Some(of), Some(views)) =
+                (self.pool.faces.get(start..end), faces.get_mut(start..end))
+            {
+                leaf.view_faces(rays, of, views, [start as u16, end as u16], view);
+            }
+        }
+    }
+}
+
 /// The parts of a program on one ray.
-struct OnRay<'a, R, L: Scan<R>, const PARTS: usize, const POSES: usize, const SPANS: usize> {
-    program: &'a Program<L, PARTS, POSES, SPANS>,
-    views: &'a [L::View; PARTS],
-    row: &'a mut ProgramRow<L::Row, PARTS>,
+struct OnRay<
+    'a,
+    R,
+    L: Scan<R>,
+    const PARTS: usize,
+    const POSES: usize,
+    const SPANS: usize,
+    const POOL: usize,
+> {
+    program: &'a Program<L, PARTS, POSES, SPANS, POOL>,
+    views: &'a ([L::View; PARTS], [FaceView<L::Scalar>; POOL]),
+    row: &'a mut ProgramRow<L::Row, FaceRows<L::Scalar, POOL>, PARTS>,
     x: i32,
     first: Face,
 }
 
-impl<R, L, const PARTS: usize, const POSES: usize, const SPANS: usize>
-    OnRay<'_, R, L, PARTS, POSES, SPANS>
+impl<R, L, const PARTS: usize, const POSES: usize, const SPANS: usize, const POOL: usize>
+    OnRay<'_, R, L, PARTS, POSES, SPANS, POOL>
 where
     L: Scan<R>,
 {
+    /// A part, ready to be asked.
     #[inline(always)]
     fn part(&mut self, index: u16) -> Option<(&L, &L::View, &mut L::Row)> {
-        let index = usize::from(index);
-        let (leaf, view) = (self.program.leaves.get(index)?, self.views.get(index)?);
-        Some((leaf, view, self.row.parts.row_of(index)?))
+        let (index, (views, face_views)) = (usize::from(index), self.views);
+        let (leaf, view) = (self.program.leaves.get(index)?, views.get(index)?);
+        let row = self.row.parts.row_of(index)?;
+        if POOL > 0 {
+            let pool = PoolRow::new(&self.program.pool.faces, face_views, &mut self.row.faces);
+            leaf.ray_faces(view, pool, self.x, row);
+        }
+        Some((leaf, view, row))
     }
 
     #[inline(always)]
@@ -135,8 +194,8 @@ where
     }
 }
 
-impl<R, L, const PARTS: usize, const POSES: usize, const SPANS: usize> Chained<L::Scalar>
-    for OnRay<'_, R, L, PARTS, POSES, SPANS>
+impl<R, L, const PARTS: usize, const POSES: usize, const SPANS: usize, const POOL: usize>
+    Chained<L::Scalar> for OnRay<'_, R, L, PARTS, POSES, SPANS, POOL>
 where
     L: Scan<R>,
 {
@@ -188,8 +247,8 @@ struct Tied<'a, T, S> {
     active: u16,
 }
 
-impl<R, L, const PARTS: usize, const POSES: usize, const SPANS: usize> Fold<Event>
-    for Tied<'_, OnRay<'_, R, L, PARTS, POSES, SPANS>, L::Scalar>
+impl<R, L, const PARTS: usize, const POSES: usize, const SPANS: usize, const POOL: usize>
+    Fold<Event> for Tied<'_, OnRay<'_, R, L, PARTS, POSES, SPANS, POOL>, L::Scalar>
 where
     L: Scan<R>,
 {

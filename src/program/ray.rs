@@ -23,16 +23,16 @@ struct Checked<'a, P> {
 
 type Scalar<L> = <L as Shape>::Scalar;
 
-impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize> Shape
-    for Checked<'_, Program<L, PARTS, POSES, SPANS>>
+impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize, const POOL: usize> Shape
+    for Checked<'_, Program<L, PARTS, POSES, SPANS, POOL>>
 {
     type Scalar = L::Scalar;
     const SPANS: usize = SPANS;
-    const FACES: u16 = Program::<L, PARTS, POSES, SPANS>::FACES;
+    const FACES: u16 = Program::<L, PARTS, POSES, SPANS, POOL>::FACES;
 }
 
-impl<L: Solid, const PARTS: usize, const POSES: usize, const SPANS: usize> Solid
-    for Checked<'_, Program<L, PARTS, POSES, SPANS>>
+impl<L: Solid, const PARTS: usize, const POSES: usize, const SPANS: usize, const POOL: usize> Solid
+    for Checked<'_, Program<L, PARTS, POSES, SPANS, POOL>>
 {
     fn spans(&self, line: &Line<L::Scalar>, first: Face, stack: &mut SpanStack<'_, L::Scalar>) {
         if self.program.push_spans(line, first, stack).is_err() {
@@ -53,8 +53,8 @@ impl<L: Solid, const PARTS: usize, const POSES: usize, const SPANS: usize> Solid
     }
 }
 
-impl<L: Solid, const PARTS: usize, const POSES: usize, const SPANS: usize>
-    Program<L, PARTS, POSES, SPANS>
+impl<L: Solid, const PARTS: usize, const POSES: usize, const SPANS: usize, const POOL: usize>
+    Program<L, PARTS, POSES, SPANS, POOL>
 {
     fn checked<T>(&self, ask: impl FnOnce(&Checked<'_, Self>) -> T) -> Result<T, LineError> {
         let checked = Checked { program: self, is_full: Cell::new(false) };

@@ -7,8 +7,8 @@ use crate::scalar::Number;
 use crate::solid::{Bounds, Rgb, Solid, operators};
 use crate::span::{Face, Operation, Shape, SpanStack, StackFull, merge};
 
-impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize> Shape
-    for Program<L, PARTS, POSES, SPANS>
+impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize, const POOL: usize> Shape
+    for Program<L, PARTS, POSES, SPANS, POOL>
 {
     type Scalar = L::Scalar;
     const SPANS: usize = SPANS;
@@ -46,8 +46,8 @@ where
 /// Bounds of the parts, and those of an operand that the result lies in.
 struct PartBounds<'a, P>(&'a P);
 
-impl<L: Solid, const PARTS: usize, const POSES: usize, const SPANS: usize> Fold<Bounds<L::Scalar>>
-    for PartBounds<'_, Program<L, PARTS, POSES, SPANS>>
+impl<L: Solid, const PARTS: usize, const POSES: usize, const SPANS: usize, const POOL: usize>
+    Fold<Bounds<L::Scalar>> for PartBounds<'_, Program<L, PARTS, POSES, SPANS, POOL>>
 {
     fn leaf(&mut self, index: u16) -> Bounds<L::Scalar> {
         let part = self.0.in_place(index.into());
@@ -68,8 +68,8 @@ impl<L: Solid, const PARTS: usize, const POSES: usize, const SPANS: usize> Fold<
     }
 }
 
-impl<L: Solid, const PARTS: usize, const POSES: usize, const SPANS: usize>
-    Program<L, PARTS, POSES, SPANS>
+impl<L: Solid, const PARTS: usize, const POSES: usize, const SPANS: usize, const POOL: usize>
+    Program<L, PARTS, POSES, SPANS, POOL>
 {
     /// Pushes the spans of a line; none if there is no room for them.
     pub(super) fn push_spans(
@@ -106,8 +106,8 @@ impl<L: Solid, const PARTS: usize, const POSES: usize, const SPANS: usize>
     }
 }
 
-impl<L: Solid, const PARTS: usize, const POSES: usize, const SPANS: usize> Solid
-    for Program<L, PARTS, POSES, SPANS>
+impl<L: Solid, const PARTS: usize, const POSES: usize, const SPANS: usize, const POOL: usize> Solid
+    for Program<L, PARTS, POSES, SPANS, POOL>
 {
     /// Of a line with more spans than there is room for, none.
     fn spans(&self, line: &Line<L::Scalar>, first: Face, stack: &mut SpanStack<'_, L::Scalar>) {
@@ -148,6 +148,6 @@ impl<L: Solid, const PARTS: usize, const POSES: usize, const SPANS: usize> Solid
 }
 
 operators! {
-    [L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize]
-    Program<L, PARTS, POSES, SPANS>,
+    [L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize, const POOL: usize]
+    Program<L, PARTS, POSES, SPANS, POOL>,
 }

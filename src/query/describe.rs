@@ -63,6 +63,13 @@ pub trait Solid: Shape {
         let _ = face;
         None
     }
+
+    /// The lowest and the highest corner of a box around a polyhedron whose faces lie in the pool of a
+    /// [`Program`](crate::program::Program); `None` for all other solids. An enum of solids passes it on.
+    #[inline]
+    fn pooled(&self) -> Option<[Vec3<Self::Scalar>; 2]> {
+        None
+    }
 }
 
 /// A colour of eight bits per channel.

@@ -1,6 +1,7 @@
 //! The rows of a group's elements, and which of them matter: the active and the pending list.
 
-use super::stage::{ColumnRun, Empty, Scan};
+use super::empty::Empty;
+use super::stage::{ColumnRun, Scan};
 
 /// The rows of a group, and which of them matter. `M` is an array of [`Member`]s, or a slice: code that
 /// isn't run for every pixel is compiled once for all lengths.

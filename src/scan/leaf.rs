@@ -1,6 +1,7 @@
 //! Primitives in pictures: what each has to say, and the spans of a ray that are kept of it.
 
-use super::stage::{ColumnRun, Empty};
+use super::empty::Empty;
+use super::stage::ColumnRun;
 use crate::geom::Extent;
 use crate::scalar::Scalar;
 use crate::span::walk::{Path, Step};
@@ -109,13 +110,34 @@ impl<D, K> LeafRow<D, K> {
     where
         T: Leaf<R, Row = D>,
     {
+        let is_there = solid.is_in_rows(view, [y; 2]);
+        self.set_by(is_there, |row| solid.row(view, y, columns, row));
+    }
+
+    /// The same, by what sets the row and returns its columns.
+    #[inline(always)]
+    pub(crate) fn set_by(&mut self, is_there: bool, row: impl FnOnce(&mut D) -> Extent) {
         self.extent = [0; 2];
-        if solid.is_in_rows(view, [y; 2]) {
+        if is_there {
             let column = |index: u32| u16::try_from(index).unwrap_or(u16::MAX);
-            let extent = solid.row(view, y, columns, &mut self.row);
+            let extent = row(&mut self.row);
             self.extent = [column(extent.start), column(extent.end)];
             self.x = NO_RAY;
         }
+    }
+
+    /// Keeps the spans of another ray, unless they are kept already.
+    #[inline(always)]
+    pub(crate) fn keep(&mut self, x: i32, spans: impl FnOnce(&D) -> K) {
+        if self.x != x {
+            (self.x, self.spans) = (x, spans(&self.row));
+        }
+    }
+
+    /// The spans that are kept.
+    #[inline(always)]
+    pub(crate) fn kept(&self) -> &K {
+        &self.spans
     }
 
     #[inline]

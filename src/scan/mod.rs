@@ -15,6 +15,7 @@
 
 mod active;
 pub mod bounds;
+mod empty;
 mod group;
 mod leaf;
 pub(crate) mod planes;
@@ -23,7 +24,9 @@ pub(crate) mod taper;
 
 pub(crate) use active::view_each;
 pub use active::{GroupRow, Member};
+pub use empty::Empty;
 pub(crate) use group::Active;
 pub use leaf::{Kept, Leaf, LeafRow};
 pub(crate) use leaf::{OPEN, leaf};
-pub use stage::{ColumnRun, Empty, Scan};
+pub use planes::{FaceRows, FaceView, PoolRow};
+pub use stage::{ColumnRun, Scan};

@@ -3,27 +3,12 @@
 //! Stages are plain memory of types that mirror the solid's own, and are filled in place. The solid
 //! goes along with every call, so nothing it says is kept twice.
 
+use super::empty::Empty;
+use super::planes::{FaceView, PoolRow};
 use crate::geom::Extent;
+use crate::quadric::HalfSpace;
 use crate::span::walk::{Path, Step};
 use crate::span::{Face, Shape};
-
-/// Memory of a stage that is yet to be reached.
-pub trait Empty {
-    /// Nothing is decided.
-    const EMPTY: Self;
-}
-
-impl<T: Empty, const N: usize> Empty for [T; N] {
-    const EMPTY: Self = [T::EMPTY; N];
-}
-
-impl<T> Empty for Option<T> {
-    const EMPTY: Self = None;
-}
-
-impl<A: Empty, B: Empty> Empty for (A, B) {
-    const EMPTY: Self = (A::EMPTY, B::EMPTY);
-}
 
 /// Columns in which nothing changes but the ray: from the one that was entered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -112,4 +97,34 @@ pub trait Scan<R>: Shape {
         t: Self::Scalar,
         first: Face,
     ) -> Step<Self::Scalar>;
+
+    /// Gets the faces ready that a solid has in a pool, after its [view](Self::view). `range` is where they are
+    /// in it. Only the pool of a [`Program`](crate::program::Program) calls this and the two below, and only for
+    /// [`Pooled`](crate::solid::Pooled) polyhedra there is anything to do: an enum of solids passes it on.
+    #[inline(always)]
+    fn view_faces(
+        &self,
+        _: &R,
+        _faces: &[HalfSpace<Self::Scalar>],
+        _views: &mut [FaceView<Self::Scalar>],
+        _range: [u16; 2],
+        _: &mut Self::View,
+    ) {
+    }
+
+    /// Gets the faces in a pool ready for a row, before [`row`](Self::row).
+    #[inline(always)]
+    fn row_faces(
+        &self,
+        _: &Self::View,
+        _: PoolRow<'_, Self::Scalar>,
+        _y: i32,
+        _columns: u32,
+        _: &mut Self::Row,
+    ) {
+    }
+
+    /// Keeps what a ray meets of the faces in a pool, before it is asked for.
+    #[inline(always)]
+    fn ray_faces(&self, _: &Self::View, _: PoolRow<'_, Self::Scalar>, _x: i32, _: &mut Self::Row) {}
 }

@@ -55,8 +55,8 @@ mod wrap;
 
 pub use crate::primitive::{
     AxisCylinder, Cone, ConeError, Cuboid, CuboidError, Cylinder, CylinderError, CylinderWall,
-    HalfSpaceError, Polyhedron, PolyhedronError, Slab, SlabError, Sphere, SphereError, Torus,
-    TorusError, WallHit,
+    HalfSpaceError, Polyhedron, PolyhedronError, Pooled, Slab, SlabError, Sphere, SphereError,
+    Torus, TorusError, WallHit,
 };
 pub use crate::quadric::HalfSpace;
 pub use crate::query::{Hit, RayCast, Rgb, Seen, Solid, first_seen};

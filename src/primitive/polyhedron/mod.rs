@@ -2,8 +2,10 @@
 
 mod orthographic;
 mod perspective;
+mod pooled;
 
 pub use crate::geom::hull::PolyhedronError;
+pub use pooled::Pooled;
 
 use crate::geom::hull::{self, Hull};
 use crate::geom::{Axis, Direction, Line, Vec3};

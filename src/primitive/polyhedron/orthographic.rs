@@ -5,8 +5,8 @@ use crate::geom::{Affine, Extent, OrthographicRays};
 use crate::quadric::HalfSpace;
 use crate::query::Solid;
 use crate::scalar::Scalar;
-use crate::scan::bounds::{Outline, Rectangle, Silhouette};
-use crate::scan::planes::{Crossings, OrthographicFace, OrthographicView};
+use crate::scan::bounds::{Outline, Rectangle, Silhouette, Steps};
+use crate::scan::planes::{Crossed, End, OrthographicFace, OrthographicView};
 use crate::scan::{Empty, Leaf};
 use crate::span::{Face, Span};
 
@@ -24,13 +24,78 @@ impl<S: Scalar, const N: usize> Empty for PolyhedronView<S, N> {
 /// A row of a polyhedron, seen along parallel rays.
 #[derive(Debug, Clone, Copy)]
 pub struct PolyhedronRow<S: Scalar, const N: usize> {
-    crossings: Crossings<S, N>,
+    ends: [End<S>; N],
+    faces: FacesRow,
+}
+
+impl<S: Scalar, const N: usize> Empty for PolyhedronRow<S, N> {
+    const EMPTY: Self = Self { ends: [End::EMPTY; N], faces: FacesRow::EMPTY };
+}
+
+/// What there is of a row beside its crossings, wherever these are.
+#[derive(Debug, Clone, Copy)]
+pub struct FacesRow {
+    crossed: Crossed,
     /// The row, where rays run along some of the faces.
     edge_on: Option<(i32, u32)>,
 }
 
-impl<S: Scalar, const N: usize> Empty for PolyhedronRow<S, N> {
-    const EMPTY: Self = Self { crossings: Crossings::EMPTY, edge_on: None };
+impl Empty for FacesRow {
+    const EMPTY: Self = Self { crossed: Crossed::NONE, edge_on: None };
+}
+
+impl FacesRow {
+    /// Sets another row, and returns where rays can be between the faces.
+    #[inline(always)]
+    pub(super) fn set<'f, S: Scalar>(
+        &mut self,
+        faces: impl Iterator<Item = (&'f HalfSpace<S>, OrthographicView<S>)>,
+        ends: &mut [End<S>],
+        (y, columns): (i32, u32),
+    ) -> Steps {
+        *self = Self::EMPTY;
+        for ((face, view), index) in faces.zip(0..) {
+            match face.orthographic_face(&view, y, columns) {
+                OrthographicFace::Across(middle) => {
+                    let at = Affine { middle, step: view.step() };
+                    self.crossed.put(ends, at, Face(index), view.exits());
+                }
+                _ => self.edge_on = Some((y, columns)),
+            }
+        }
+        self.crossed.steps(ends, columns)
+    }
+
+    /// The span of a ray.
+    #[inline(always)]
+    pub(super) fn span<'f, S: Scalar>(
+        &self,
+        faces: impl Iterator<Item = (&'f HalfSpace<S>, OrthographicView<S>)>,
+        ends: &[End<S>],
+        x: i32,
+    ) -> Span<S> {
+        let mut common = self.crossed.between(ends, x);
+        if let Some(place) = self.edge_on
+            && !cut_edge_on(faces, place, x, &mut common)
+        {
+            return Span::NOWHERE;
+        }
+        if common.enter.t < common.exit.t { common } else { Span::NOWHERE }
+    }
+}
+
+/// Cuts off what is beyond the faces that rays run along, or almost; `false` if all is.
+#[inline(never)]
+fn cut_edge_on<'f, S: Scalar>(
+    faces: impl Iterator<Item = (&'f HalfSpace<S>, OrthographicView<S>)>,
+    (y, columns): (i32, u32),
+    x: i32,
+    span: &mut Span<S>,
+) -> bool {
+    faces.zip(0..).all(|((face, view), index)| match face.orthographic_face(&view, y, columns) {
+        OrthographicFace::Across(_) => true,
+        row => face.cut_orthographic(&view, &row, x, Face(index), span),
+    })
 }
 
 impl<S: Scalar, const N: usize, F: AsRef<[HalfSpace<S>]>> Leaf<OrthographicRays<S>>
@@ -56,47 +121,14 @@ impl<S: Scalar, const N: usize, F: AsRef<[HalfSpace<S>]>> Leaf<OrthographicRays<
 
     #[inline(never)]
     fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) -> Extent {
-        row.crossings.clear();
-        row.edge_on = None;
-        for ((face, view), index) in self.faces().iter().zip(&view.faces).zip(0..) {
-            match face.orthographic_face(view, y, columns) {
-                OrthographicFace::Across(middle) => {
-                    let at = Affine { middle, step: view.step() };
-                    row.crossings.put(at, Face(index), view.exits());
-                }
-                _ => row.edge_on = Some((y, columns)),
-            }
-        }
-        row.crossings.steps(columns).columns(columns).overlap(view.outline.extent(y, columns))
+        let faces = self.faces().iter().zip(view.faces);
+        let steps = row.faces.set(faces, &mut row.ends, (y, columns));
+        steps.columns(columns).overlap(view.outline.extent(y, columns))
     }
 
     #[inline]
     fn spans(&self, view: &Self::View, row: &Self::Row, x: i32, [span]: &mut [Span<S>; 1]) {
-        let mut common = row.crossings.between(x);
-        if let Some(place) = row.edge_on
-            && !self.cut_edge_on(view, place, x, &mut common)
-        {
-            common = Span::NOWHERE;
-        }
-        *span = if common.enter.t < common.exit.t { common } else { Span::NOWHERE };
-    }
-}
-
-impl<S: Scalar, const N: usize, F: AsRef<[HalfSpace<S>]>> Polyhedron<S, N, F> {
-    /// Cuts off what is beyond the faces that rays run along, or almost; `false` if all is.
-    #[inline(never)]
-    fn cut_edge_on(
-        &self,
-        view: &PolyhedronView<S, N>,
-        (y, columns): (i32, u32),
-        x: i32,
-        span: &mut Span<S>,
-    ) -> bool {
-        self.faces().iter().zip(&view.faces).zip(0..).all(|((face, view), index)| {
-            match face.orthographic_face(view, y, columns) {
-                OrthographicFace::Across(_) => true,
-                row => face.cut_orthographic(view, &row, x, Face(index), span),
-            }
-        })
+        let faces = self.faces().iter().zip(view.faces.iter().copied());
+        *span = row.faces.span(faces, &row.ends, x);
     }
 }

@@ -45,17 +45,22 @@ impl<S: Scalar, const N: usize, F: AsRef<[HalfSpace<S>]>> Leaf<PerspectiveRays<S
 
     #[inline]
     fn spans(&self, _: &Self::View, row: &Self::Row, x: i32, [span]: &mut [Span<S>; 1]) {
-        *span = Span::whole_line(Face(0));
-        for ((face, row), index) in self.faces().iter().zip(row).zip(0..) {
-            if let Some(row) = row
-                && !face.cut_perspective(row, x, Face(index), span)
-            {
-                *span = Span::NOWHERE;
-                return;
-            }
-        }
-        if span.enter.t >= span.exit.t {
-            *span = Span::NOWHERE;
+        let rows = row.iter().map_while(Option::as_ref);
+        *span = common(self.faces().iter().zip(rows.copied()), x);
+    }
+}
+
+/// What rays have in common with the half-spaces behind all faces.
+#[inline(always)]
+pub(super) fn common<'f, S: Scalar>(
+    faces: impl Iterator<Item = (&'f HalfSpace<S>, PerspectiveRow<S>)>,
+    x: i32,
+) -> Span<S> {
+    let mut span = Span::whole_line(Face(0));
+    for ((face, row), index) in faces.zip(0..) {
+        if !face.cut_perspective(&row, x, Face(index), &mut span) {
+            return Span::NOWHERE;
         }
     }
+    if span.enter.t >= span.exit.t { Span::NOWHERE } else { span }
 }

@@ -1,16 +1,18 @@
 //! The solids that have a form as bytes.
 
 use super::{BytesError, Reader, Writer};
-use crate::geom::{AffineMap, Direction};
+use crate::geom::{AffineMap, Direction, Vec3};
 use crate::quadric::{HalfSpace, Planes, Ring, Taper, Wall};
 use crate::scalar::Scalar;
-use crate::solid::{Bounds, Cone, Cuboid, Cylinder, Polyhedron, Scaled, Solid, Sphere, Torus};
+use crate::solid::{
+    Bounds, Cone, Cuboid, Cylinder, Polyhedron, Pooled, Scaled, Solid, Sphere, Torus,
+};
 use crate::span::Shape;
 
 /// A solid that has a form as bytes, or an enum of several.
 ///
 /// The crate's primitives have kinds below 128. A solid of yours takes one from 128 to 239.
-pub trait Coded: Shape + Sized {
+pub trait Coded: Solid + Sized {
     /// Whether a solid of a kind may be one.
     fn has_kind(kind: u8) -> bool;
 
@@ -114,10 +116,7 @@ impl<S: Scalar, const N: usize> Coded for Polyhedron<S, N> {
     }
 
     fn write(&self, to: &mut Writer<'_>) -> Result<(), BytesError> {
-        let count = u8::try_from(self.faces().len()).map_err(|_| BytesError::Length)?;
-        to.bytes(&[count])?;
-        self.faces().iter().try_for_each(|face| face.write(to))?;
-        [self.low, self.high].into_iter().try_for_each(|corner| to.vector(corner))
+        write_polyhedron(self.faces(), [self.low, self.high], to)
     }
 
     fn read(kind: u8, from: &mut Reader<'_>) -> Result<Self, BytesError> {
@@ -126,14 +125,70 @@ impl<S: Scalar, const N: usize> Coded for Polyhedron<S, N> {
         }
         let [count] = from.array()?;
         let mut faces = [HalfSpace { normal: Direction::Z, offset: S::ZERO }; N];
-        let used = faces.get_mut(..count.into()).filter(|used| !used.is_empty());
-        for face in used.ok_or(BytesError::Solid)? {
+        let used = faces.get_mut(..has_room::<Self>(count)?).unwrap_or_default();
+        for face in used {
             *face = half_space(from)?;
         }
-        let (low, high) = (from.vector()?, from.vector()?);
-        Cuboid::between(low, high).map_err(|_| BytesError::Solid)?;
+        let [low, high] = corners(from)?;
         Ok(Self { faces, count: count.into(), low, high })
     }
+}
+
+/// The same bytes as a polyhedron's. The program reads the faces again, and writes them.
+impl<S: Scalar, const N: usize> Coded for Pooled<S, N> {
+    fn has_kind(kind: u8) -> bool {
+        kind == POLYHEDRON
+    }
+
+    fn kind(&self) -> u8 {
+        POLYHEDRON
+    }
+
+    /// It has no faces: of a scaled one, say, they aren't in a pool.
+    fn write(&self, _: &mut Writer<'_>) -> Result<(), BytesError> {
+        Err(BytesError::Solid)
+    }
+
+    fn read(kind: u8, from: &mut Reader<'_>) -> Result<Self, BytesError> {
+        if kind != POLYHEDRON {
+            return Err(BytesError::Kind);
+        }
+        let [count] = from.array()?;
+        for _ in 0..has_room::<Self>(count)? {
+            half_space::<S>(from)?;
+        }
+        let [low, high] = corners(from)?;
+        Ok(Self { low, high })
+    }
+}
+
+/// So many faces, at least one, if a solid has room for them. Another one may have more.
+fn has_room<L: Shape>(count: u8) -> Result<usize, BytesError> {
+    match u16::from(count) {
+        0 => Err(BytesError::Solid),
+        count if count > L::FACES => Err(BytesError::Kind),
+        count => Ok(count.into()),
+    }
+}
+
+pub(super) fn write_polyhedron<S: Scalar>(
+    faces: &[HalfSpace<S>],
+    corners: [Vec3<S>; 2],
+    to: &mut Writer<'_>,
+) -> Result<(), BytesError> {
+    if faces.is_empty() {
+        return Err(BytesError::Solid);
+    }
+    let count = u8::try_from(faces.len()).map_err(|_| BytesError::Length)?;
+    to.bytes(&[count])?;
+    faces.iter().try_for_each(|face| face.write(to))?;
+    corners.into_iter().try_for_each(|corner| to.vector(corner))
+}
+
+fn corners<S: Scalar>(from: &mut Reader<'_>) -> Result<[Vec3<S>; 2], BytesError> {
+    let [low, high] = [from.vector()?, from.vector()?];
+    Cuboid::between(low, high).map_err(|_| BytesError::Solid)?;
+    Ok([low, high])
 }
 
 const POLYHEDRON: u8 = 7;
@@ -163,6 +218,9 @@ impl<T: Coded> Coded for Scaled<T> {
         let (rows, shift) = ([from.vector()?, from.vector()?, from.vector()?], from.vector()?);
         let [inner] = from.array()?;
         let solid = T::read(inner, from)?;
+        if solid.pooled().is_some() {
+            return Err(BytesError::Kind);
+        }
         let map = AffineMap::of_rows(rows, shift).map_err(|_| BytesError::Solid)?;
         Ok(Self::new(solid, map))
     }
@@ -170,7 +228,7 @@ impl<T: Coded> Coded for Scaled<T> {
 
 const SCALED: u8 = 8;
 
-fn half_space<S: Scalar>(from: &mut Reader<'_>) -> Result<HalfSpace<S>, BytesError> {
+pub(super) fn half_space<S: Scalar>(from: &mut Reader<'_>) -> Result<HalfSpace<S>, BytesError> {
     let (normal, offset) = (from.direction()?, from.number::<S>()?);
     if offset.is_within_range() { Ok(HalfSpace { normal, offset }) } else { Err(BytesError::Solid) }
 }

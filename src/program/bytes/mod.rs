@@ -57,8 +57,8 @@ const SUBTRACT: u8 = 0xf2;
 const PAINTED: u8 = 1;
 const POSED: u8 = 2;
 
-impl<L: Coded + Copy, const PARTS: usize, const POSES: usize, const SPANS: usize>
-    Program<L, PARTS, POSES, SPANS>
+impl<L: Coded + Copy, const PARTS: usize, const POSES: usize, const SPANS: usize, const POOL: usize>
+    Program<L, PARTS, POSES, SPANS, POOL>
 {
     /// Writes the program to the beginning of a buffer, and returns what was written.
     ///
@@ -77,7 +77,8 @@ impl<L: Coded + Copy, const PARTS: usize, const POSES: usize, const SPANS: usize
     /// ```
     ///
     /// # Errors
-    /// [`BytesError::Length`] if the buffer is too short, or the program has more than 65,535 bytes.
+    /// [`BytesError::Length`] if the buffer is too short, or the program has more than 65,535 bytes;
+    /// [`BytesError::Solid`] for a [`Pooled`](crate::solid::Pooled) polyhedron without faces.
     pub fn to_bytes<'b>(&self, buffer: &'b mut [u8]) -> Result<&'b [u8], BytesError> {
         let mut to = Writer::new(buffer);
         to.bytes(&MAGIC)?;
@@ -99,14 +100,19 @@ impl<L: Coded + Copy, const PARTS: usize, const POSES: usize, const SPANS: usize
                     let pose = self.pose_of(index);
                     let flag = |is_there, bit| if is_there { bit } else { 0 };
                     let has = flag(part.color.is_some(), PAINTED) | flag(pose.is_some(), POSED);
-                    to.bytes(&[part.leaf.kind(), has])?;
+                    to.bytes(&[part.leaf.leaf.kind(), has])?;
                     if let Some(color) = part.color {
                         to.bytes(&[color.r, color.g, color.b])?;
                     }
                     if let Some(pose) = pose {
                         to.bytes(&[pose])?;
                     }
-                    part.leaf.write(&mut to)?;
+                    match part.leaf.leaf.pooled() {
+                        Some(corners) => {
+                            kinds::write_polyhedron(self.pool.of(index), corners, &mut to)?;
+                        }
+                        None => part.leaf.leaf.write(&mut to)?,
+                    }
                     index += 1;
                 }
             }

@@ -1,5 +1,6 @@
 //! Programs from bytes.
 
+use super::kinds::half_space;
 use super::{
     BytesError, Coded, INTERSECT, MAGIC, Number, PAINTED, POSED, Reader, SUBTRACT, UNITE, VERSION,
     numbers,
@@ -11,8 +12,8 @@ use crate::solid::Rgb;
 use crate::span::Shape;
 use core::marker::PhantomData;
 
-impl<L: Coded + Copy, const PARTS: usize, const POSES: usize, const SPANS: usize>
-    Program<L, PARTS, POSES, SPANS>
+impl<L: Coded + Copy, const PARTS: usize, const POSES: usize, const SPANS: usize, const POOL: usize>
+    Program<L, PARTS, POSES, SPANS, POOL>
 {
     /// Reads a program. All that it says is checked, and nothing but what it has room for is kept.
     ///
@@ -65,10 +66,14 @@ impl<L: Coded + Copy, const PARTS: usize, const POSES: usize, const SPANS: usize
     /// # Errors
     /// [`BytesError`]. The program is as it was then.
     pub fn read_bytes(&mut self, bytes: &[u8]) -> Result<(), BytesError> {
-        let (mut items, mut parts, mut operands) = (Items::<L>::new(bytes, POSES)?, 0, 0);
+        let mut items = Items::<L>::new(bytes, POSES)?;
+        let (mut parts, mut operands, mut faces) = (0, 0, 0);
         while let Some(item) = items.next()? {
             match item {
-                Item::Part(_) if parts < PARTS => (parts, operands) = (parts + 1, operands + 1),
+                Item::Part(part) if parts < PARTS && part.faces()?.0 <= POOL - faces => {
+                    faces += part.faces()?.0;
+                    (parts, operands) = (parts + 1, operands + 1);
+                }
                 Item::Operator(_) if operands > 1 => operands -= 1,
                 Item::Pose(_) => {}
                 _ => return Err(BytesError::Tree),
@@ -78,16 +83,21 @@ impl<L: Coded + Copy, const PARTS: usize, const POSES: usize, const SPANS: usize
             return Err(BytesError::Length);
         }
         self.clear();
-        let mut items = Items::<L>::new(bytes, POSES)?;
+        let (mut items, mut place) = (Items::<L>::new(bytes, POSES)?, 0);
         while let Some(item) = items.next()? {
             match item {
                 Item::Pose(pose) => {
                     self.add_pose(pose)?;
                 }
-                Item::Part(Dressed { leaf, color, pose }) => {
-                    let index = self.push(leaf)?;
-                    self.paint(index, color)?;
-                    self.place(index, pose)?;
+                Item::Part(part) => {
+                    let index = self.push(part.leaf)?;
+                    self.paint(index, part.color)?;
+                    self.place(index, part.pose)?;
+                    let (count, mut from) = part.faces()?;
+                    for _ in 0..count {
+                        self.pool.put(place, index, half_space(&mut from)?);
+                        place += 1;
+                    }
                 }
                 Item::Operator(Kind::Unite) => self.unite(2)?,
                 Item::Operator(Kind::Intersect) => self.intersect(2)?,
@@ -107,9 +117,9 @@ struct Items<'b, L> {
     leaf: PhantomData<L>,
 }
 
-enum Item<L: Shape> {
+enum Item<'b, L: Shape> {
     Pose(Pose<Number<L>>),
-    Part(Dressed<L>),
+    Part(Dressed<'b, L>),
     Operator(Kind),
 }
 
@@ -136,7 +146,7 @@ impl<'b, L: Coded> Items<'b, L> {
         }
     }
 
-    fn next(&mut self) -> Result<Option<Item<L>>, BytesError> {
+    fn next(&mut self) -> Result<Option<Item<'b, L>>, BytesError> {
         if let Some(left) = self.poses_left.checked_sub(1) {
             self.poses_left = left;
             return self.from.pose().map(|pose| Some(Item::Pose(pose)));
@@ -160,14 +170,26 @@ impl<'b, L: Coded> Items<'b, L> {
 }
 
 /// A part, its colour and the index of its pose.
-struct Dressed<L> {
+struct Dressed<'b, L> {
     leaf: L,
     color: Option<Rgb>,
     pose: Option<usize>,
+    /// Its numbers.
+    numbers: Reader<'b>,
 }
 
-impl<L: Coded> Dressed<L> {
-    fn read(from: &mut Reader<'_>, poses: u8) -> Result<Self, BytesError> {
+impl<'b, L: Coded> Dressed<'b, L> {
+    /// How many faces it needs in the pool, and where they are read from.
+    fn faces(&self) -> Result<(usize, Reader<'b>), BytesError> {
+        let mut from = self.numbers;
+        if self.leaf.pooled().is_none() {
+            return Ok((0, from));
+        }
+        let [count] = from.array()?;
+        Ok((count.into(), from))
+    }
+
+    fn read(from: &mut Reader<'b>, poses: u8) -> Result<Self, BytesError> {
         let [kind, has] = from.array()?;
         if kind >= UNITE || has & !(PAINTED | POSED) != 0 {
             return Err(BytesError::Tag);
@@ -185,6 +207,7 @@ impl<L: Coded> Dressed<L> {
             }
             pose = Some(index.into());
         }
-        Ok(Self { leaf: L::read(kind, from)?, color, pose })
+        let numbers = *from;
+        Ok(Self { leaf: L::read(kind, from)?, color, pose, numbers })
     }
 }

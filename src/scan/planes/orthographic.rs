@@ -1,5 +1,6 @@
 //! Planes along parallel rays: they are crossed at parameters that are affine in the column.
 
+use super::FaceView;
 use crate::geom::{Affine, Direction, OrthographicRays, Vec3, signed};
 use crate::quadric::{HalfSpace, Planes};
 use crate::scalar::{Number, Real, Scalar};
@@ -134,6 +135,18 @@ impl<S: Scalar> OrthographicView<S> {
         let [middle, right, down] = rays.steps(Vec3::ZERO).map(|step| normal.dot_wide(step));
         let is_edge_on = inverse == S::Wide::ZERO;
         let step = if is_edge_on { right } else { -right * inverse };
+        Self { height: [middle, down], inverse, step }
+    }
+
+    /// As a pool keeps it.
+    pub(crate) fn keep(&self) -> FaceView<S> {
+        let [middle, down] = self.height;
+        FaceView([middle, down, self.inverse, self.step])
+    }
+
+    /// One that a pool has kept.
+    #[inline(always)]
+    pub(crate) fn kept(&FaceView([middle, down, inverse, step]): &FaceView<S>) -> Self {
         Self { height: [middle, down], inverse, step }
     }
 

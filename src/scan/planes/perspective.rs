@@ -1,5 +1,6 @@
 //! Planes, seen from an eye: height and speed are affine in the column, their quotient is not.
 
+use super::FaceView;
 use crate::geom::{Affine, Direction, PerspectiveRays, Vec3};
 use crate::quadric::{HalfSpace, PlaneRoots, Planes};
 use crate::scalar::{Number, Scalar};
@@ -46,6 +47,20 @@ impl<S: Scalar> PerspectiveView<S> {
         }
     }
 
+    /// As a pool keeps it: all but the eye's distance, which all faces of a solid share.
+    pub(crate) fn keep(&self) -> FaceView<S> {
+        let [middle, right, down] = self.height;
+        FaceView([middle, right, down, self.speed])
+    }
+
+    /// One that a pool has kept.
+    pub(crate) fn kept(
+        &FaceView([middle, right, down, speed]): &FaceView<S>,
+        inverse_distance: S::Wide,
+    ) -> Self {
+        Self { height: [middle, right, down], speed, inverse_distance }
+    }
+
     /// normal·d in the middle of the picture.
     pub(crate) fn speed(&self) -> S::Wide {
         self.speed
@@ -72,6 +87,13 @@ impl<S: Scalar> PerspectiveRow<S> {
         let turn = offset.times(view.inverse_distance);
         Self { height: offset.above(height), speed: turn.above(view.speed) }
     }
+
+    /// One of these [lines](Self::lines).
+    #[inline(always)]
+    pub(crate) fn of([height, speed]: [Affine<S::Wide>; 2]) -> Self {
+        Self { height, speed }
+    }
+
     /// normal·p where the rays have t = 0, and normal·d.
     pub(crate) fn lines(&self) -> [Affine<S::Wide>; 2] {
         [self.height, self.speed]
