@@ -165,6 +165,7 @@ impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize, const
 {
     /// Gives a part faces in the pool, in place of those it had: for a first part that is a polyhedron, and to
     /// change one. [`part_mut`](Self::part_mut) changes the leaf, which has a box around the polyhedron.
+    /// A part that becomes another solid keeps its faces, unused, until it is removed.
     ///
     /// ```
     /// use scancsg::geom::Axis;
