@@ -105,3 +105,7 @@ struct Cookbook;
 #[cfg(doctest)]
 #[doc = include_str!("../docs/gallery.md")]
 struct Gallery;
+
+#[cfg(doctest)]
+#[doc = include_str!("../docs/program.md")]
+struct Programs;

@@ -16,7 +16,7 @@ use scancsg::geom::{OrthographicRays, Rays};
 use scancsg::program::Program;
 use scancsg::render::{Camera, Gray8, Lambert, Picture, Size};
 use scancsg::scalar::I16F16;
-use scancsg::solid::{Cylinder, Scan};
+use scancsg::solid::{Cuboid, Cylinder, Polyhedron, Pooled, Scan, Sphere};
 use scancsg::stream::{PixelFormat, Plain, Predictive, Sender, packet_capacity, row_capacity};
 
 fn size<S: Scene, C>(camera: &C) -> usize
@@ -51,16 +51,17 @@ fn a_render_of_tee_needs_little_memory() {
     assert!(sender <= 1400, "{sender}");
 }
 
-/// The bytes of a program, and of its view and row, a part.
+/// The bytes of a program, and of its view and row.
+fn bytes_of<P: Scan<OrthographicRays<f32>, Scalar = f32>>() -> usize {
+    size_of::<P>() + size_of::<P::View>() + size_of::<P::Row>()
+}
+
+/// The same, a part.
 fn bytes_of_a_part<L, const N: usize>() -> usize
 where
     L: Scan<OrthographicRays<f32>, Scalar = f32>,
 {
-    let program = size_of::<Program<L, N>>();
-    let view = size_of::<<Program<L, N> as Scan<OrthographicRays<f32>>>::View>();
-    let row = size_of::<<Program<L, N> as Scan<OrthographicRays<f32>>>::Row>();
-    println!("{N} parts: {program} + {view} + {row} bytes");
-    (program + view + row).div_ceil(N)
+    bytes_of::<Program<L, N>>().div_ceil(N)
 }
 
 #[test]
@@ -79,6 +80,41 @@ fn programs_need_little_memory() {
     // What primitives need, and 28 bytes.
     assert!(of_cylinders.iter().all(|bytes| *bytes <= 172), "{of_cylinders:?}");
     assert!(of_parts.iter().all(|bytes| *bytes <= 192), "{of_parts:?}");
+}
+
+scancsg::leaves! {
+    /// As the scene's parts, and polyhedra of up to 24 faces in a pool.
+    enum Pool<S> {
+        Cylinder(Cylinder<S>),
+        Cuboid(Cuboid<S>),
+        Sphere(Sphere<S>),
+        Faces(Pooled<S, 24>),
+    }
+}
+
+scancsg::leaves! {
+    /// The same, each with room for its faces.
+    enum Own<S> {
+        Cylinder(Cylinder<S>),
+        Cuboid(Cuboid<S>),
+        Sphere(Sphere<S>),
+        Faces(Polyhedron<S, 24>),
+    }
+}
+
+/// Of 64 parts, four have 24 faces.
+#[test]
+fn a_pool_of_faces_needs_memory_for_those_only() {
+    let own = bytes_of::<Program<Own<f32>, 64>>();
+    let pool = bytes_of::<Program<Pool<f32>, 64, 0, 32, 96>>();
+    let none = bytes_of::<Program<Pool<f32>, 64>>();
+    let without = bytes_of::<Program<Part<f32>, 64>>();
+    println!(
+        "own faces: {own} bytes, a pool: {pool}, an empty one: {none}, no polyhedra: {without}"
+    );
+    assert_eq!(none, without, "a leaf in the pool takes no more than a box");
+    assert_eq!((pool - none).div_ceil(96), 58, "a face");
+    assert!(pool <= 18_000 && own > 4 * pool, "{pool}, {own}");
 }
 
 /// The document's table names what there is, and never less.

@@ -10,7 +10,9 @@ use scancsg::constant;
 use scancsg::geom::{AffineMap, Axis, Pose, Ray, Vec3, vec3};
 use scancsg::program::{BytesError, Program};
 use scancsg::render::{Gray8, Lambert, Orthographic, Picture, Size};
-use scancsg::solid::{Cone, Cuboid, Cylinder, HalfSpace, Polyhedron, Rgb, Scaled, Sphere, Torus};
+use scancsg::solid::{
+    Cone, Cuboid, Cylinder, HalfSpace, Polyhedron, Pooled, Rgb, Scaled, Sphere, Torus,
+};
 use scancsg::span::SpanList;
 use testkit::number::{Tested, vector};
 use testkit::random::Random;
@@ -27,13 +29,14 @@ scancsg::leaves! {
         Torus(Torus<S>),
         Half(HalfSpace<S>),
         Convex(Polyhedron<S, 6>),
+        Faces(Pooled<S, 16>),
         Drum(Scaled<Cylinder<S>>),
         Egg(Scaled<Sphere<S>>),
         Wedge(Scaled<Polyhedron<S, 6>>),
     }
 }
 
-type Small<S> = Program<Part<S>, 10, 3>;
+type Small<S> = Program<Part<S>, 10, 3, 32, 40>;
 
 fn part<S: Tested>(random: &mut Random) -> Part<S> {
     let mut number = |low, high| S::near(random.between(low, high));
@@ -74,6 +77,23 @@ fn part<S: Tested>(random: &mut Random) -> Part<S> {
     }
 }
 
+/// With more faces than a leaf has room for.
+fn drum<S: Tested>(random: &mut Random) -> Polyhedron<S, 16> {
+    fn round<S: Tested, const M: usize>(size: f64) -> [[S; 2]; M] {
+        core::array::from_fn(|index| {
+            let angle = core::f64::consts::TAU * index as f64 / M as f64;
+            [size * angle.cos(), size * angle.sin()].map(S::near)
+        })
+    }
+    let (size, axis) = (random.between(0.5, 2.0), Axis::ALL[random.below(3)]);
+    let (low, high) = (S::ZERO, S::near(size));
+    match random.chance(0.5) {
+        true => Polyhedron::extruded(axis, round::<S, 6>(size), low, high),
+        false => Polyhedron::extruded(axis, round::<S, 14>(size), low, high),
+    }
+    .unwrap()
+}
+
 fn program<S: Tested>(random: &mut Random) -> Small<S> {
     let mut program = Small::new(part(random));
     let shift = vector([random.between(-9.0, 9.0), 1.0, 2.0]);
@@ -85,7 +105,13 @@ fn program<S: Tested>(random: &mut Random) -> Small<S> {
         }
     }
     for _ in 0..random.below(10) {
-        program.push(part(random)).unwrap();
+        let drum = drum::<S>(random);
+        // The pool has room for some.
+        if random.chance(0.7)
+            || program.push_polyhedron(Part::Faces(Pooled::of(&drum)), &drum).is_err()
+        {
+            program.push(part(random)).unwrap();
+        }
         if random.chance(0.6) {
             match random.below(3) {
                 0 => program.unite(2),
@@ -112,7 +138,7 @@ fn what_is_written_is_read<S: Tested>() {
     for seed in 0..300 {
         let random = &mut Random::seeded(seed);
         let program = program::<S>(random);
-        let (mut buffer, mut again) = ([0; 2000], [0; 2000]);
+        let (mut buffer, mut again) = ([0; 4000], [0; 4000]);
         let bytes = program.to_bytes(&mut buffer).unwrap();
         let read = Small::<S>::from_bytes(bytes).unwrap();
         assert_eq!(read.to_bytes(&mut again).unwrap(), bytes);
@@ -121,6 +147,11 @@ fn what_is_written_is_read<S: Tested>() {
             (0..of.part_count()).map(|index| *of.part(index).unwrap()).collect()
         };
         assert_eq!(parts(&read), parts(&program));
+        for part in 0..program.part_count() {
+            assert_eq!(read.faces(part), program.faces(part));
+            let is_pooled = matches!(read.part(part).unwrap(), Part::Faces(_));
+            assert_eq!(read.faces(part).unwrap().len() > 6, is_pooled);
+        }
         assert_eq!(read.operand_count(), program.operand_count());
         for length in 0..bytes.len() {
             assert!(Small::<S>::from_bytes(&bytes[..length]).is_err());
@@ -134,7 +165,7 @@ fn hostile_bytes_are_errors_or_programs<S: Tested>() {
     let mut counts = [0; 2];
     for seed in 0..1500 {
         let random = &mut Random::seeded(seed);
-        let mut buffer = [0; 2000];
+        let mut buffer = [0; 4000];
         let length = program::<S>(random).to_bytes(&mut buffer).unwrap().len();
         let bytes = &mut buffer[..length];
         for _ in 0..1 + random.below(3) {
@@ -151,12 +182,12 @@ fn hostile_bytes_are_errors_or_programs<S: Tested>() {
             continue;
         };
         counts[1] += 1;
-        let mut again = [0; 2000];
+        let mut again = [0; 4000];
         // An axis that was written in full may be a coordinate axis now, which is shorter.
         let written = read.to_bytes(&mut again).unwrap();
         assert!(written.len() <= length);
         let same = Small::<S>::from_bytes(written).unwrap();
-        let mut twice = [0; 2000];
+        let mut twice = [0; 4000];
         assert_eq!(same.to_bytes(&mut twice).unwrap(), written);
         let (along, up) = (vector([0.3, -0.2, -1.0]), vector([0.0, 1.0, 0.0]));
         let camera = Orthographic::look_along(along, Vec3::ZERO, up, S::near(6.0)).unwrap();
@@ -279,7 +310,7 @@ fn large_programs_are_read_in_place() {
         };
         let rod = core::array::from_fn::<_, 62, _>(|index| round(index as i32));
         let rod = Polyhedron::extruded(Axis::Z, rod, -1.0, 1.0).unwrap();
-        let mut buffer = vec![0; 2000];
+        let mut buffer = vec![0; 4000];
         let one = Program::<Many<f32>, 1>::new(Many::Faces(rod));
         let one = one.to_bytes(&mut buffer).unwrap();
         let (head, part) = one.split_at(8);

@@ -5,7 +5,8 @@ use scancsg::program::Program;
 use scancsg::render::{Camera, Gray8, Lambert, Orthographic, Perspective, Picture, Size};
 use scancsg::scalar::{I16F16, Scalar};
 use scancsg::solid::{
-    Cone, Cuboid, Cylinder, HalfSpace, Polyhedron, RayCast, Scaled, Scan, Solid, Sphere, Torus,
+    Cone, Cuboid, Cylinder, HalfSpace, Polyhedron, Pooled, RayCast, Scaled, Scan, Solid, Sphere,
+    Torus,
 };
 use scancsg::span::SpanList;
 
@@ -18,7 +19,8 @@ scancsg::leaves! {
         Cone(Cone<S>),
         Torus(Torus<S>),
         Half(HalfSpace<S>),
-        Convex(Polyhedron<S, 8>),
+        Convex(Polyhedron<S, 5>),
+        Faces(Pooled<S, 9>),
         Drum(Scaled<Cylinder<S>>),
         Block(Scaled<Cuboid<S>>),
         Egg(Scaled<Sphere<S>>),
@@ -31,9 +33,10 @@ scancsg::leaves! {
 const PARTS: usize = 6;
 const POSES: usize = 3;
 const SPANS: usize = 16;
+const POOL: usize = 20;
 const SIZE: [u16; 2] = [16, 12];
 
-type Tree<S> = Program<Part<S>, PARTS, POSES, SPANS>;
+type Tree<S> = Program<Part<S>, PARTS, POSES, SPANS, POOL>;
 
 /// Any bytes, and any behind a header of theirs, are an error or a program. That has bytes from which the same
 /// one is read, keeps its capacities, and has pictures and hits.

@@ -31,6 +31,9 @@ impl<'a, L: Shape, const POOL: usize> Wrap for InPlace<'a, L, POOL> {
     }
 }
 
+/// A polyhedron of faces that lie in a pool.
+type Facetted<'a, S, const N: usize> = Polyhedron<S, N, &'a [HalfSpace<S>]>;
+
 /// A leaf, and the faces that it has in the pool.
 pub(super) struct Whole<'a, L: Shape, const POOL: usize> {
     pub(super) leaf: &'a L,
@@ -42,7 +45,7 @@ impl<'a, L: Solid, const POOL: usize> Whole<'a, L, POOL> {
     /// The polyhedron that the leaf stands for. It is known at compile time that one without a pool stands for
     /// none.
     #[inline(always)]
-    fn polyhedron(&self) -> Option<Polyhedron<L::Scalar, POOL, &'a [HalfSpace<L::Scalar>]>> {
+    fn polyhedron(&self) -> Option<Facetted<'a, L::Scalar, POOL>> {
         if POOL == 0 {
             return None;
         }

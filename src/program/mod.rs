@@ -22,6 +22,7 @@
 mod build;
 mod bytes;
 mod dress;
+mod faces;
 mod in_place;
 mod leaves;
 mod picture;

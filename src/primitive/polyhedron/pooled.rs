@@ -162,9 +162,8 @@ impl<S: Scalar, const N: usize> Scan<OrthographicRays<S>> for Pooled<S, N> {
         row: &mut Self::Row,
     ) {
         row.set_by(Scan::<OrthographicRays<S>>::is_in_rows(self, view, [y; 2]), |row| {
-            let mut pool = pool.of(view.range);
-            let (faces, ends) = pool.orthographic();
-            let steps = row.set(faces, ends, (y, columns));
+            let pool = pool.of(view.range);
+            let steps = row.set(pool.orthographic(), pool.ends, (y, columns));
             steps.columns(columns).overlap(view.of_all.extent(y, columns))
         });
     }
@@ -172,9 +171,8 @@ impl<S: Scalar, const N: usize> Scan<OrthographicRays<S>> for Pooled<S, N> {
     #[inline(always)]
     fn ray_faces(&self, view: &Self::View, pool: PoolRow<'_, S>, x: i32, row: &mut Self::Row) {
         row.keep(x, |row| {
-            let mut pool = pool.of(view.range);
-            let (faces, ends) = pool.orthographic();
-            [row.span(faces, ends, x)]
+            let pool = pool.of(view.range);
+            [row.span(pool.orthographic(), pool.ends, x)]
         });
     }
 }

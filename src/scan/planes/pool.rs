@@ -24,6 +24,7 @@ impl<S: Scalar, const N: usize> Empty for FaceRows<S, N> {
 pub struct PoolRow<'a, S: Scalar> {
     faces: &'a [HalfSpace<S>],
     views: &'a [FaceView<S>],
+    /// Where a row crosses the faces.
     pub(crate) ends: &'a mut [End<S>],
     speeds: &'a mut [Affine<S::Wide>],
 }
@@ -50,13 +51,12 @@ impl<'a, S: Scalar> PoolRow<'a, S> {
         }
     }
 
-    /// Faces and how parallel rays see them; and where a row crosses them.
+    /// Faces and how parallel rays see them.
     #[inline(always)]
     pub(crate) fn orthographic(
-        &mut self,
-    ) -> (impl Iterator<Item = (&HalfSpace<S>, OrthographicView<S>)>, &mut [End<S>]) {
-        let views = self.views.iter().map(OrthographicView::kept);
-        (self.faces.iter().zip(views), self.ends)
+        &self,
+    ) -> impl Iterator<Item = (&'a HalfSpace<S>, OrthographicView<S>)> + use<'a, S> {
+        self.faces.iter().zip(self.views.iter().map(OrthographicView::kept))
     }
 
     /// Sets a row that is seen from an eye.
