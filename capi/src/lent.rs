@@ -33,6 +33,17 @@ impl<T: Empty, const N: usize> Fill for [T; N] {
     }
 }
 
+/// The parts' views, and those of faces in a pool.
+impl<A: Fill, B: Fill> Fill for (A, B) {
+    unsafe fn fill(place: *mut Self) {
+        // SAFETY: the caller says it of the pair, so it holds of both.
+        unsafe {
+            A::fill(&raw mut (*place).0);
+            B::fill(&raw mut (*place).1);
+        }
+    }
+}
+
 /// A program, with the memory that it has not lent to a picture yet.
 pub(crate) struct Lent<R: 'static>
 where

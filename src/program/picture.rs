@@ -11,7 +11,7 @@ use crate::span::{Face, Operation, Shape};
 
 /// The rows of a program's parts, and the chains of those that matter.
 #[derive(Debug, Clone, Copy)]
-pub struct ProgramRow<D, F, const N: usize> {
+pub struct ProgramRow<D, const N: usize, F = ()> {
     parts: GroupRow<[Member<D>; N]>,
     /// The chain of the parts that may be seen in the band of rows.
     band: [Link; N],
@@ -23,7 +23,7 @@ pub struct ProgramRow<D, F, const N: usize> {
     faces: F,
 }
 
-impl<D: Empty, F: Empty, const N: usize> Empty for ProgramRow<D, F, N> {
+impl<D: Empty, F: Empty, const N: usize> Empty for ProgramRow<D, N, F> {
     const EMPTY: Self = {
         let links = [Link { inside: 0, outside: 0 }; N];
         Self {
@@ -44,7 +44,7 @@ where
     R: Rays<Scalar = L::Scalar>,
 {
     type View = ([L::View; PARTS], [FaceView<L::Scalar>; POOL]);
-    type Row = ProgramRow<L::Row, FaceRows<L::Scalar, POOL>, PARTS>;
+    type Row = ProgramRow<L::Row, PARTS, FaceRows<L::Scalar, POOL>>;
 
     fn view(&self, rays: &R, (views, faces): &mut Self::View) {
         for (index, view) in views.iter_mut().enumerate() {
@@ -163,7 +163,7 @@ struct OnRay<
 > {
     program: &'a Program<L, PARTS, POSES, SPANS, POOL>,
     views: &'a ([L::View; PARTS], [FaceView<L::Scalar>; POOL]),
-    row: &'a mut ProgramRow<L::Row, FaceRows<L::Scalar, POOL>, PARTS>,
+    row: &'a mut ProgramRow<L::Row, PARTS, FaceRows<L::Scalar, POOL>>,
     x: i32,
     first: Face,
 }
