@@ -11,10 +11,12 @@ use std::path::Path;
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
 /// Not values, but memory of something under way: it borrows other memory, or holds a solid's stages.
-const STATE: [&str; 23] = [
+const STATE: [&str; 26] = [
     "Assembler",
     "Decoder",
     "Dithered",
+    "FaceRows",
+    "FaceView",
     "GroupRow",
     "Inbox",
     "LeafRow",
@@ -24,6 +26,7 @@ const STATE: [&str; 23] = [
     "OfFixed",
     "OfFloat",
     "Picture",
+    "PoolRow",
     "Predictive",
     "PredictiveMono",
     "Receiver",

@@ -96,13 +96,17 @@ pub(super) struct Place {
     pub(super) color: Rgb,
     /// The index of its pose, or one that no pose has.
     pub(super) pose: u8,
-    pub(super) is_painted: bool,
-    /// Whether it is cut away, so that its faces are seen from their other side.
-    is_cut: bool,
+    /// Of these bits.
+    pub(super) is: u8,
 }
 
 impl Place {
-    const HERE: Self = Self { color: Rgb::WHITE, pose: NO_POSE, is_painted: false, is_cut: false };
+    const HERE: Self = Self { color: Rgb::WHITE, pose: NO_POSE, is: 0 };
+
+    pub(super) const PAINTED: u8 = 1;
+
+    /// It is cut away, so that its faces are seen from their other side.
+    const CUT: u8 = 2;
 }
 
 pub(super) const NO_POSE: u8 = u8::MAX;
@@ -257,7 +261,7 @@ impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize, const
         }
         let mut index = self.tree.start_of(count);
         while index < self.tree.leaves() {
-            self.places[index].is_cut = !self.places[index].is_cut;
+            self.places[index].is ^= Place::CUT;
             index += 1;
         }
         self.combine(count + 1, Kind::Unite, Kind::Subtract)
@@ -322,9 +326,9 @@ impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize, const
     pub(super) fn in_place(&self, part: usize) -> Option<(InPlace<'_, L, POOL>, bool)> {
         let (leaf, place) = (self.leaves().get(part)?, self.places.get(part)?);
         let pose = self.poses.get(usize::from(place.pose));
-        let color = place.is_painted.then_some(place.color);
+        let color = (place.is & Place::PAINTED != 0).then_some(place.color);
         let leaf = Whole { leaf, pool: &self.pool, part };
-        Some((InPlace { leaf, pose, color }, place.is_cut))
+        Some((InPlace { leaf, pose, color }, place.is & Place::CUT != 0))
     }
 
     /// The index of a part's pose.

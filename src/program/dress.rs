@@ -1,6 +1,6 @@
 //! Colours and poses of a program's parts.
 
-use super::build::{NO_POSE, Program, ProgramError};
+use super::build::{NO_POSE, Place, Program, ProgramError};
 use crate::geom::Pose;
 use crate::solid::Rgb;
 use crate::span::Shape;
@@ -29,9 +29,9 @@ impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize, const
             return Err(error);
         }
         let place = &mut self.places[part];
-        place.is_painted = color.is_some();
-        if let Some(color) = color {
-            place.color = color;
+        match color {
+            Some(color) => (place.color, place.is) = (color, place.is | Place::PAINTED),
+            None => place.is &= !Place::PAINTED,
         }
         Ok(())
     }

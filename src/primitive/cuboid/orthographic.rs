@@ -23,7 +23,8 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {
         let pairs = Axis::ALL.map(|axis| self.corners.planes(axis).orthographic_view(rays));
         let near = Axis::ALL.map(|axis| {
             let is_high = pairs[axis as usize].high_first();
-            Corners::<S>::first_face(axis).offset(u16::from(is_high))
+            let first = Corners::<S>::first_face(axis).0 as u8;
+            if is_high { first + 1 } else { first }
         });
         OrthographicView { pairs, near, rows }
     }
@@ -84,9 +85,9 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cuboid<S> {
                 let [of_x, of_y, of_z] = [first.at(one, x), second.at(two, x), third.at(three, x)];
                 let later = |a: (S, Face), b: (S, Face)| if b.0 > a.0 { b } else { a };
                 let earlier = |a: (S, Face), b: (S, Face)| if b.0 < a.0 { b } else { a };
-                let [x, y, z] = view.near;
+                let [x, y, z] = view.near.map(|face| Face(face.into()));
                 let enter = later(later((of_x[0], x), (of_y[0], y)), (of_z[0], z));
-                let [x, y, z] = view.near.map(|face| Face(face.0 ^ 1));
+                let [x, y, z] = view.near.map(|face| Face(u16::from(face) ^ 1));
                 let exit = earlier(earlier((of_x[1], x), (of_y[1], y)), (of_z[1], z));
                 let is_met = enter.0 < exit.0;
                 // Set before it is known: so the comparisons that find parameters find faces, too.
@@ -131,14 +132,14 @@ impl<S: Scalar> Cuboid<S> {
 /// A box, seen along parallel rays.
 #[derive(Debug, Clone, Copy)]
 pub struct OrthographicView<S: Scalar> {
-    /// The faces across each axis, and which of them comes first.
+    /// The faces across each axis, and the number of that which comes first.
     pairs: [PairView<S>; 3],
-    near: [Face; 3],
+    near: [u8; 3],
     rows: Rows,
 }
 
 impl<S: Scalar> Empty for OrthographicView<S> {
-    const EMPTY: Self = Self { pairs: [PairView::EMPTY; 3], near: [Face(0); 3], rows: Rows::EMPTY };
+    const EMPTY: Self = Self { pairs: [PairView::EMPTY; 3], near: [0; 3], rows: Rows::EMPTY };
 }
 
 /// A row of a box, seen along parallel rays.

@@ -23,7 +23,6 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cylinder<S> {
         let steps = rays.steps(self.wall.base.wide());
         let moments = steps.map(|step| step.cross(axis));
         let (caps, rows) = (self.caps.orthographic_view(rays), self.rows(rays));
-        let high_first = caps.high_first();
         // An angle too small to divide by hardly moves a ray within the length of a scene.
         let across = m.max_abs().is_divisor().then(|| m.normalized()).flatten();
         if let Some(n) = across {
@@ -38,8 +37,6 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cylinder<S> {
                 reach: reach.stretched(stretch),
                 caps,
                 rows,
-                high_first,
-                is_along: false,
             }
         } else {
             let [side, other] = frame(axis);
@@ -48,8 +45,6 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cylinder<S> {
                 second: moments.map(|moment| moment.dot(other)),
                 caps,
                 rows,
-                high_first,
-                is_along: true,
                 ..OrthographicView::EMPTY
             }
         }
@@ -70,9 +65,9 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cylinder<S> {
         if within_wall.are_beside(columns) {
             return Extent::EMPTY;
         }
-        let steps = match (view.is_along, self.caps.orthographic_row(&view.caps, y, columns)) {
+        let steps = match (view.is_along(), self.caps.orthographic_row(&view.caps, y, columns)) {
             (false, planes::OrthographicRow::Across(caps)) => {
-                row.kind = Kind::Across(caps);
+                row.kind = Kind::Across { caps, high_first: view.caps.high_first() };
                 caps.steps(&view.caps, second, view.reach, columns)
             }
             (false, planes::OrthographicRow::EdgeOn(caps)) => {
@@ -91,13 +86,13 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cylinder<S> {
 
     #[inline(always)]
     fn spans(&self, view: &Self::View, row: &Self::Row, x: i32, [span]: &mut [Span<S>; 1]) {
-        let Kind::Across(caps) = &row.kind else {
+        let Kind::Across { caps, high_first } = &row.kind else {
             *span = self.rare_span(view, row, x).unwrap_or(Span::NOWHERE);
             return;
         };
         match self.chord(view, row, x) {
             Some(chord) => {
-                set_common(span, chord, caps.at(&view.caps, x), planes::faces(view.high_first));
+                set_common(span, chord, caps.at(&view.caps, x), planes::faces(*high_first));
             }
             None => *span = Span::NOWHERE,
         }
@@ -105,7 +100,7 @@ impl<S: Scalar> Leaf<OrthographicRays<S>> for Cylinder<S> {
 
     #[inline(always)]
     fn may_contain(&self, view: &Self::View, row: &Self::Row, x: i32, t: S) -> bool {
-        let Kind::Across(_) = row.kind else { return true };
+        let Kind::Across { .. } = row.kind else { return true };
         let [_, along, _] = view.second;
         let middle = row.second.after_steps(along, x);
         let [low, high] = middle.around(view.reach).map(S::from_wide);
@@ -171,7 +166,7 @@ impl<S: Scalar> Cylinder<S> {
                 let is_inside = S::length([across[0], across[1], S::ZERO]) < self.wall.radius;
                 caps.span(&view.caps, x).filter(|_| is_inside)
             }
-            Kind::Nowhere | Kind::Across(_) => None,
+            Kind::Nowhere | Kind::Across { .. } => None,
         }
     }
 }
@@ -184,14 +179,18 @@ pub struct OrthographicView<S: Scalar> {
     first: [S::Wide; 3],
     /// The middle of the chord; or the other coordinate.
     second: [S::Wide; 3],
+    /// 0 for a camera that looks along the axis: any other stretch is 1 at least.
     stretch: S::Scale,
     /// The longest half-chord.
     reach: S::Wide,
     caps: planes::OrthographicView<S>,
     rows: Rows,
-    /// Whether rays meet the high cap before the low one: here, where it takes no room.
-    high_first: bool,
-    is_along: bool,
+}
+
+impl<S: Scalar> OrthographicView<S> {
+    fn is_along(&self) -> bool {
+        self.stretch == S::NO_SCALE
+    }
 }
 
 impl<S: Scalar> Empty for OrthographicView<S> {
@@ -202,8 +201,6 @@ impl<S: Scalar> Empty for OrthographicView<S> {
         reach: S::Wide::ZERO,
         caps: planes::OrthographicView::EMPTY,
         rows: Rows::EMPTY,
-        high_first: false,
-        is_along: false,
     };
 }
 
@@ -221,7 +218,11 @@ enum Kind<S: Scalar> {
     /// The cylinder can't be seen.
     Nowhere,
     /// The rays cross the wall and the caps.
-    Across(Ends<S>),
+    Across {
+        caps: Ends<S>,
+        /// Whether rays meet the high cap before the low one: here, where it takes no room.
+        high_first: bool,
+    },
     /// The rays run along the axis.
     Along(Ends<S>),
     /// The rays run along the caps, or almost: the height of [`EdgeOn`](planes::EdgeOn).
