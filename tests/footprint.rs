@@ -117,41 +117,6 @@ fn a_pool_of_faces_needs_memory_for_those_only() {
     assert!(pool <= 17_400 && own > 4 * pool, "{pool}, {own}");
 }
 
-scancsg::leaves! {
-    /// As the scene's parts, and polyhedra of up to 24 faces in a pool.
-    enum Pool<S> {
-        Cylinder(Cylinder<S>),
-        Cuboid(Cuboid<S>),
-        Sphere(Sphere<S>),
-        Faces(Pooled<S, 24>),
-    }
-}
-
-scancsg::leaves! {
-    /// The same, each with room for its faces.
-    enum Own<S> {
-        Cylinder(Cylinder<S>),
-        Cuboid(Cuboid<S>),
-        Sphere(Sphere<S>),
-        Faces(Polyhedron<S, 24>),
-    }
-}
-
-/// Of 64 parts, four have 24 faces.
-#[test]
-fn a_pool_of_faces_needs_memory_for_those_only() {
-    let own = bytes_of::<Program<Own<f32>, 64>>();
-    let pool = bytes_of::<Program<Pool<f32>, 64, 0, 32, 96>>();
-    let none = bytes_of::<Program<Pool<f32>, 64>>();
-    let without = bytes_of::<Program<Part<f32>, 64>>();
-    println!(
-        "own faces: {own} bytes, a pool: {pool}, an empty one: {none}, no polyhedra: {without}"
-    );
-    assert_eq!(none, without, "a leaf in the pool takes no more than a box");
-    assert_eq!((pool - none).div_ceil(96), 58, "a face");
-    assert!(pool <= 18_000 && own > 4 * pool, "{pool}, {own}");
-}
-
 /// The document's table names what there is, and never less.
 #[test]
 fn solids_need_no_more_than_the_document_says() {

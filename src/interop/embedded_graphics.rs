@@ -1,14 +1,9 @@
 //! Pictures on the displays of `embedded-graphics`, beside its text and shapes.
 
 use super::error::DisplayError;
-use crate::geom::{OrthographicRays, Vec3};
 use crate::render::pixel::same_bits::same_bits;
 use crate::render::pixel::{Pixel, narrow, scale};
-use crate::render::{
-    self, Gray8, Lambert, Mono, Orthographic, Picture, Rgb, Rgb565, Rgb888, RowError, RowSource,
-};
-use crate::scalar::Scalar;
-use crate::solid::{Scan, Solid};
+use crate::render::{Gray8, Mono, Rgb, Rgb565, Rgb888, RowError, RowSource};
 use core::fmt;
 use core::ops::Range;
 use embedded_graphics_core::draw_target::DrawTarget;
@@ -141,64 +136,6 @@ where
         draw_row(pixels.unwrap_or_default(), corner, target).map_err(DrawError::Target)?;
     }
     Ok(())
-}
-
-/// Shows a part in all of a display, as seen along a direction: the least that puts a part on a screen. The light
-/// comes from the viewer.
-///
-/// For a camera, a light or a place of one's own, there are [`Picture`] and [`draw`].
-///
-/// ```
-/// use embedded_graphics::mock_display::MockDisplay;
-/// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-/// use embedded_graphics::prelude::*;
-/// use embedded_graphics::primitives::Rectangle;
-/// use scancsg::geom::vec3;
-/// use scancsg::interop::embedded_graphics::show;
-/// use scancsg::solid::Cuboid;
-///
-/// let cube = Cuboid::<f32>::new(vec3(0.0, 0.0, 0.0), vec3(1.0, 1.0, 1.0))?;
-/// let (along, up) = (vec3(0.0, 0.0, -1.0), vec3(0.0, 1.0, 0.0));
-///
-/// let mut display = MockDisplay::<Rgb565>::new();
-/// let mut screen = display.cropped(&Rectangle::new(Point::zero(), Size::new(6, 8)));
-/// show(&cube, [along, up], Rgb565::BLACK, &mut [Rgb565::BLACK; 6], &mut screen)?;
-/// display.assert_pattern(&[
-///     "KKKKKK", //
-///     "KKKKKK",
-///     "KWWWWK",
-///     "KWWWWK",
-///     "KWWWWK",
-///     "KWWWWK",
-///     "KKKKKK",
-///     "KKKKKK",
-/// ]);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-///
-/// # Errors
-/// Those of [`Orthographic::around`] and of [`draw`]; `row` is memory, as long as the display is wide.
-pub fn show<S, T, D>(
-    part: &T,
-    [along, up]: [Vec3<S>; 2],
-    background: D::Color,
-    row: &mut [D::Color],
-    display: &mut D,
-) -> Result<(), crate::Error>
-where
-    S: Scalar,
-    T: Solid<Scalar = S> + Scan<OrthographicRays<S>>,
-    D: DrawTarget,
-    D::Color: Pixel,
-{
-    let window = display.bounding_box();
-    let [width, height] = [window.size.width, window.size.height]
-        .map(|length| u16::try_from(length).unwrap_or(u16::MAX));
-    let size = render::Size::new(width, height)?;
-    let camera = Orthographic::around(&part.bounds(), along, up, size)?;
-    let light = Lambert::new(-along, Scalar::from_ratio(1, 5))?;
-    let mut picture = Picture::new(part, &camera, size, light, background);
-    Ok(draw(&mut picture, window.top_left, row, display, &window)?)
 }
 
 /// The part of the pixels `0..count`, the first of them at `at`, that lies in both areas, as far as points

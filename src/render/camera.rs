@@ -3,7 +3,6 @@
 use super::Size;
 use crate::geom::{OrthographicRays, PerspectiveRays, Rays, Vec3};
 use crate::scalar::{Number, Real, Scalar};
-use crate::scan::bounds::Bounds;
 
 /// A camera that can hand out the rays of a picture.
 #[diagnostic::on_unimplemented(
@@ -128,37 +127,6 @@ impl<S: Scalar> Orthographic<S> {
         frame_height: S,
     ) -> Result<Self, CameraError> {
         Self::looking(direction.wide(), target, up, frame_height)
-    }
-
-    /// A camera that looks along a direction at all of a solid inside these bounds: a ball around them fills the
-    /// picture's width or height.
-    ///
-    /// ```
-    /// use scancsg::geom::vec3;
-    /// use scancsg::render::{Orthographic, Size};
-    /// use scancsg::solid::{Cuboid, Solid};
-    ///
-    /// let part = Cuboid::<f32>::new(vec3(0.0, 0.0, 0.0), vec3(2.0, 4.0, 4.0))?; // a ball of radius 3
-    /// let (along, up) = (vec3(-1.0, -1.0, -1.0), vec3(0.0, 0.0, 1.0));
-    /// let camera = Orthographic::around(&part.bounds(), along, up, Size::new(120, 160)?)?;
-    /// // 6 units of width are 8 of height.
-    /// let middle = vec3(1.0, 2.0, 2.0);
-    /// assert_eq!(camera, Orthographic::look_along(along, middle, up, 8.0)?);
-    /// # Ok::<(), scancsg::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As [`look_at`](Self::look_at); [`FrameHeight`](CameraError::FrameHeight) if there are no bounds.
-    pub fn around(
-        bounds: &Bounds<S>,
-        direction: Vec3<S>,
-        up: Vec3<S>,
-        size: Size,
-    ) -> Result<Self, CameraError> {
-        let (middle, radius) = bounds.ball().ok_or(CameraError::FrameHeight)?;
-        let [width, height] = <[u16; 2]>::from(size).map(i32::from);
-        let stretch = S::from_ratio(height, height.min(width));
-        Self::look_along(direction, middle, up, radius.plus(radius).times(stretch))
     }
 
     fn looking(

@@ -52,15 +52,13 @@ fn programs(package: &Path, name: &str) -> Result<Vec<String>, String> {
 mod tests {
     use super::*;
 
-    /// What has to be written besides a part, to see it on a display: lines of code outside of `mod part`. In
-    /// there is nothing but the part: no camera, no light, no size.
+    /// What has to be written besides a part, to see it on a display: lines of code outside of `mod part`.
     #[test]
     fn a_display_takes_25_lines() -> Result<(), String> {
         let source = fs::read_to_string(root().join("boards/stm32f4/src/bin/panel.rs"));
         let source = source.map_err(|error| error.to_string())?;
         let (before, rest) = source.split_once("mod part {\n").ok_or("no part")?;
-        let (part, after) = rest.split_once("\n}\n").ok_or("the part has no end")?;
-        assert!(!part.contains("render") && !part.contains("fn "), "{part}");
+        let (_, after) = rest.split_once("\n}\n").ok_or("the part has no end")?;
         let is_code = |line: &&str| !line.trim().is_empty() && !line.trim().starts_with("//");
         let count = before.lines().chain(after.lines()).filter(is_code).count();
         assert!((10..=25).contains(&count), "{count} lines");

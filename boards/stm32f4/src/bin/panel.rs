@@ -7,21 +7,26 @@
 use embassy_stm32::gpio::{Level, Output, Speed};
 use embassy_stm32::spi::{Config, Spi};
 use embassy_time::Delay;
-use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*};
 use embedded_hal_bus::spi::ExclusiveDevice;
 use mipidsi::{Builder, interface::SpiInterface, models::ST7789, options::ColorInversion};
 use panic_halt as _;
-use scancsg::{geom::vec3, interop::embedded_graphics::show};
+use scancsg::interop::embedded_graphics::draw;
 
+/// The part, and how it is seen.
 mod part {
-    use scancsg::constant;
-    use scancsg::geom::Axis;
+    use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+    use scancsg::geom::{Axis, vec3};
+    use scancsg::render::{Lambert, Perspective, Picture, RowSource, Size};
     use scancsg::solid::{Cylinder, Difference, Painted, Rgb, Union};
+    use scancsg::{Error, constant};
+
+    pub const SIDE: u16 = 240;
 
     /// A disc with a hub, a bore and a mark.
     type Knob = Difference<Union<Cylinder<f32>, Cylinder<f32>>, Painted<[Cylinder<f32>; 2]>>;
 
-    pub static KNOB: Knob = Difference::new(
+    static KNOB: Knob = Difference::new(
         Union::new(
             constant!(Cylinder::<f32>::spanning(Axis::Y, -0.4..0.0, [0.0, 0.0], 1.0)),
             constant!(Cylinder::<f32>::spanning(Axis::Y, 0.0..0.6, [0.0, 0.0], 0.7)),
@@ -34,6 +39,13 @@ mod part {
             Rgb::new(235, 175, 70),
         ),
     );
+
+    pub fn picture() -> Result<impl RowSource<Pixel = Rgb565>, Error> {
+        let (eye, target, up) = (vec3(2.0, 3.0, 5.0), vec3(0.0, 0.1, 0.0), vec3(0.0, 1.0, 0.0));
+        let camera = Perspective::look_at(eye, target, up, 0.4)?;
+        let light = Lambert::new(vec3(-1.0, 2.0, 1.0), 0.2)?;
+        Ok(Picture::new(&KNOB, &camera, Size::new(SIDE, SIDE)?, light, Rgb565::BLACK))
+    }
 }
 
 #[embassy_executor::main]
@@ -45,9 +57,9 @@ async fn main(_spawner: embassy_executor::Spawner) {
     let Ok(device) = ExclusiveDevice::new_no_delay(bus, select);
     let mut bytes = [0; 480];
     let panel = Builder::new(ST7789, SpiInterface::new(device, is_data, &mut bytes));
-    let panel = panel.display_size(240, 240).invert_colors(ColorInversion::Inverted);
-    let Ok(mut panel) = panel.init(&mut Delay) else { panic!("the display doesn't start") };
-    let seen = [vec3(-2.0, -2.9, -5.0), vec3(0.0, 1.0, 0.0)]; // along, up
-    let shown = show(&part::KNOB, seen, Rgb565::BLACK, &mut [Rgb565::BLACK; 240], &mut panel);
-    shown.unwrap_or_else(|error| panic!("{}", error.as_str()));
+    let panel = panel.display_size(part::SIDE, part::SIDE).invert_colors(ColorInversion::Inverted);
+    let Ok(mut panel) = panel.init(&mut Delay) else { return };
+    let Ok(mut picture) = part::picture() else { return };
+    let (mut row, window) = ([Rgb565::BLACK; part::SIDE as usize], panel.bounding_box());
+    let _ = draw(&mut picture, Point::zero(), &mut row, &mut panel, &window);
 }
