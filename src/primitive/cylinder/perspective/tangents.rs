@@ -76,8 +76,10 @@ pub struct Pixels<S: Scalar> {
     rise: Affine<S::Wide>,
     /// How fast it rises.
     speed: Affine<S::Wide>,
-    /// How high the caps are above the eye.
+    /// How high the caps are above the eye's rounded height.
     ends: [S; 2],
+    /// By how much that is below the eye.
+    below: S::Wide,
 }
 
 impl<S: Scalar> TangentView<S> {
@@ -205,6 +207,7 @@ impl<S: FixedPoint> Tangents<S> {
         let caps = planes::PerspectiveRow::new(&self.caps, y);
         let [height, speed] = caps.lines();
         let eye = self.caps.at_eye(self.distance);
+        let rounded = S::from_wide(eye);
         let [rise, rise_step] = [height.middle - eye, height.step]
             .map(|x| Wide::from_bits(x.to_bits() << self.finer()));
         let [of_middle, of_step] = self.shifts.map(i32::from);
@@ -217,7 +220,8 @@ impl<S: FixedPoint> Tangents<S> {
             sides: [a, b],
             rise: Affine { middle: rise, step: rise_step },
             speed,
-            ends: [cylinder.caps.low, cylinder.caps.high].map(|end| end.minus(S::from_wide(eye))),
+            ends: [cylinder.caps.low, cylinder.caps.high].map(|end| end.minus(rounded)),
+            below: eye - rounded.wide(),
         }
     }
 
@@ -246,7 +250,7 @@ impl<S: FixedPoint> Tangents<S> {
         let half = shifted(a.plus(&b), shift + 1);
         let rise = shifted(row.rise, self.finer());
         let room = S::ROUNDING.wide() * Wide::from_int(16);
-        let ends = row.ends.map(Scalar::wide);
+        let ends = row.ends.map(|end| end.wide() - row.below);
         let lean = |end: Wide, outwards: bool| {
             let is_added = (end > Wide::ZERO) == outwards;
             let edge = if is_added { middle.plus(&half) } else { middle.minus(&half) };
@@ -279,7 +283,7 @@ impl<S: FixedPoint> Tangents<S> {
     fn at_cap(&self, end: S, row: &Pixels<S>, x: i32) -> Option<S> {
         let speed = row.speed.at(x);
         let rise = Wide::from_bits(row.rise.at(x).to_bits() >> self.finer());
-        (speed != Wide::ZERO).then(|| S::quotient(end.wide() - rise, speed))
+        (speed != Wide::ZERO).then(|| S::quotient(end.wide() - row.below - rise, speed))
     }
 }
 
@@ -288,7 +292,10 @@ impl<S: FixedPoint> Pixels<S> {
     /// times that depth.
     #[inline(always)]
     fn inside(&self, rise: i64, w: u32) -> [bool; 2] {
-        let [low, high] = self.ends.map(|end| product(end.to_bits(), w.cast_signed()));
+        let w = w.cast_signed();
+        let below = product(self.below.to_bits() as i32, w) >> (32 - S::BITS);
+        let rise = rise + below;
+        let [low, high] = self.ends.map(|end| product(end.to_bits(), w));
         [low <= rise, rise <= high]
     }
 }
