@@ -55,7 +55,7 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cylinder<S> {
     #[inline(never)]
     fn close(&self, view: &Self::View, row: &Self::Row, x: i32, [span]: &mut [Span<S>; 1]) {
         if let (Some(view), Some(row)) = (view, row) {
-            S::compute(Closed { view, row, x, span });
+            S::compute(Closed { cylinder: self, view, row, x, span });
         }
     }
 }
@@ -153,6 +153,7 @@ impl<S: Scalar> Formula<S> for OnRay<'_, S> {
 
 /// Sets the end of a ray's span.
 struct Closed<'a, S: Scalar> {
+    cylinder: &'a Cylinder<S>,
     view: &'a View<S>,
     row: &'a Row<S>,
     x: i32,
@@ -173,7 +174,7 @@ impl<S: Scalar> Formula<S> for Closed<'_, S> {
         S: FixedPoint,
     {
         if let (Some(view), Some(row)) = (self.view.fixed(), self.row.fixed()) {
-            row.close(view, self.x, self.span);
+            row.close(self.cylinder, view, self.x, self.span);
         }
     }
 }

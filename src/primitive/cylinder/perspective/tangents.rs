@@ -64,6 +64,10 @@ pub struct Tangents<S: Scalar> {
     /// Z is `zoom` with its last bit at this place.
     exponent: i16,
     zoom: u32,
+    /// How high the eye is along the axis, rounded.
+    eye: S,
+    /// By how many of the last bits of [`Wide`] that is below the eye.
+    below: i32,
     caps: planes::PerspectiveView<S>,
 }
 
@@ -76,10 +80,6 @@ pub struct Pixels<S: Scalar> {
     rise: Affine<S::Wide>,
     /// How fast it rises.
     speed: Affine<S::Wide>,
-    /// How high the caps are above the eye's rounded height.
-    ends: [S; 2],
-    /// By how much that is below the eye.
-    below: S::Wide,
 }
 
 impl<S: Scalar> TangentView<S> {
@@ -111,8 +111,8 @@ impl<S: FixedPoint> TangentView<S> {
     ) -> (TangentRow<S>, Extent) {
         match self {
             Self::Outside(view, _) => {
-                let row = view.row(cylinder, y);
-                (TangentRow::Outside(row), view.extent(&row, columns))
+                let row = view.row(y);
+                (TangentRow::Outside(row), view.extent(cylinder, &row, columns))
             }
             Self::Near(view, _) => {
                 let (row, extent) = view.row(cylinder, y, columns);
@@ -155,6 +155,8 @@ impl<S: FixedPoint> Tangents<S> {
         let root = sqrt(c).cast_signed();
 
         let view = planes::PerspectiveView::new(&caps.normal, rays);
+        let eye_height = view.at_eye(rays.distance);
+        let eye_rounded = S::from_wide(eye_height);
         let ([nearest, farthest], rows) = ball(cylinder, rays, &view);
         let of_distance = bits(rays.distance.to_bits());
         // W is less than 2 to the power of the smaller one of two bounds: by the nearest point of the ball,
@@ -198,16 +200,17 @@ impl<S: FixedPoint> Tangents<S> {
             halvings: halvings as i16,
             exponent: (63 - PIXEL_BITS + halvings - zoom_exponent) as i16,
             zoom: zoom.cast_unsigned(),
+            eye: eye_rounded,
+            below: (eye_height - eye_rounded.wide()).to_bits() as i32,
             caps: view,
         };
         Some((view, rows))
     }
 
-    fn row(&self, cylinder: &Cylinder<S>, y: i32) -> Pixels<S> {
+    fn row(&self, y: i32) -> Pixels<S> {
         let caps = planes::PerspectiveRow::new(&self.caps, y);
         let [height, speed] = caps.lines();
         let eye = self.caps.at_eye(self.distance);
-        let rounded = S::from_wide(eye);
         let [rise, rise_step] = [height.middle - eye, height.step]
             .map(|x| Wide::from_bits(x.to_bits() << self.finer()));
         let [of_middle, of_step] = self.shifts.map(i32::from);
@@ -215,14 +218,7 @@ impl<S: FixedPoint> Tangents<S> {
             let value = |bits: i32, shift| Wide::from_bits(shift_right(bits.into(), shift));
             Affine::row([value(middle, of_middle), value(right, of_step), value(down, of_step)], y)
         });
-        Pixels {
-            middle,
-            sides: [a, b],
-            rise: Affine { middle: rise, step: rise_step },
-            speed,
-            ends: [cylinder.caps.low, cylinder.caps.high].map(|end| end.minus(rounded)),
-            below: eye - rounded.wide(),
-        }
+        Pixels { middle, sides: [a, b], rise: Affine { middle: rise, step: rise_step }, speed }
     }
 
     /// So many bits has [`Pixels::rise`] below the last one of [`Wide`].
@@ -232,7 +228,7 @@ impl<S: FixedPoint> Tangents<S> {
 
     /// The columns of a row: between the planes that touch the wall, and two that touch the caps. With
     /// |w − W| ≤ (A + B)/2 on the wall, a cap's edge is between `H·(W ± (A + B)/2)`.
-    fn extent(&self, row: &Pixels<S>, columns: u32) -> Extent {
+    fn extent(&self, cylinder: &Cylinder<S>, row: &Pixels<S>, columns: u32) -> Extent {
         let [a, b] = row.sides.map(Steps::not_below);
         let steps = a.overlap(b);
         if steps.are_beside(columns) {
@@ -250,7 +246,7 @@ impl<S: FixedPoint> Tangents<S> {
         let half = shifted(a.plus(&b), shift + 1);
         let rise = shifted(row.rise, self.finer());
         let room = S::ROUNDING.wide() * Wide::from_int(16);
-        let ends = row.ends.map(|end| end.wide() - row.below);
+        let ends = self.ends(cylinder).map(|end| end.wide() - self.below());
         let lean = |end: Wide, outwards: bool| {
             let is_added = (end > Wide::ZERO) == outwards;
             let edge = if is_added { middle.plus(&half) } else { middle.minus(&half) };
@@ -278,25 +274,32 @@ impl<S: FixedPoint> Tangents<S> {
         S::from_wide(Wide::from_bits(depth) - self.distance)
     }
 
-    /// Where a ray crosses a cap so high above the eye.
+    /// How high the caps are above the eye's rounded height.
+    #[inline(always)]
+    fn ends(&self, cylinder: &Cylinder<S>) -> [S; 2] {
+        [cylinder.caps.low, cylinder.caps.high].map(|end| end.minus(self.eye))
+    }
+
+    fn below(&self) -> Wide {
+        Wide::from_bits(self.below.into())
+    }
+
+    /// How far the point of a ray with an inverse depth is above the low cap and below the high one: each
+    /// times that depth.
+    #[inline(always)]
+    fn inside(&self, ends: [S; 2], rise: i64, w: u32) -> [bool; 2] {
+        let w = w.cast_signed();
+        let rise = rise + (product(self.below, w) >> (32 - S::BITS));
+        let [low, high] = ends.map(|end| product(end.to_bits(), w));
+        [low <= rise, rise <= high]
+    }
+
+    /// Where a ray crosses a cap so high above the eye's rounded height.
     #[inline(never)]
     fn at_cap(&self, end: S, row: &Pixels<S>, x: i32) -> Option<S> {
         let speed = row.speed.at(x);
         let rise = Wide::from_bits(row.rise.at(x).to_bits() >> self.finer());
-        (speed != Wide::ZERO).then(|| S::quotient(end.wide() - row.below - rise, speed))
-    }
-}
-
-impl<S: FixedPoint> Pixels<S> {
-    /// How far the point of a ray with an inverse depth is above the low cap and below the high one: each
-    /// times that depth.
-    #[inline(always)]
-    fn inside(&self, rise: i64, w: u32) -> [bool; 2] {
-        let w = w.cast_signed();
-        let below = product(self.below.to_bits() as i32, w) >> (32 - S::BITS);
-        let rise = rise + below;
-        let [low, high] = self.ends.map(|end| product(end.to_bits(), w));
-        [low <= rise, rise <= high]
+        (speed != Wide::ZERO).then(|| S::quotient(end.wide() - self.below() - rise, speed))
     }
 }
 
@@ -326,13 +329,13 @@ impl<S: FixedPoint> TangentRow<S> {
             return;
         }
         let (near, far) = (middle.wrapping_add(half), middle.wrapping_sub(half));
-        let rise = row.rise.at(x).to_bits();
-        let enter = match row.inside(rise, near) {
+        let (ends, rise) = (view.ends(cylinder), row.rise.at(x).to_bits());
+        let enter = match view.inside(ends, rise, near) {
             [true, true] => Crossing { t: view.parameter(near), face: WALL },
             [above, _] => {
-                let [low, high] = row.inside(rise, far);
+                let [low, high] = view.inside(ends, rise, far);
                 let (reaches, end, face) =
-                    if above { (high, row.ends[1], Face(1)) } else { (low, row.ends[0], Face(0)) };
+                    if above { (high, ends[1], Face(1)) } else { (low, ends[0], Face(0)) };
                 match view.at_cap(end, row, x).filter(|_| reaches) {
                     Some(t) => Crossing { t, face },
                     None => return,
@@ -350,16 +353,23 @@ impl<S: FixedPoint> TangentRow<S> {
     }
 
     /// Sets the end of a span that was left open.
-    pub(super) fn close(&self, view: &TangentView<S>, x: i32, span: &mut Span<S>) {
+    pub(super) fn close(
+        &self,
+        cylinder: &Cylinder<S>,
+        view: &TangentView<S>,
+        x: i32,
+        span: &mut Span<S>,
+    ) {
         let (Self::Outside(row), TangentView::Outside(view, _)) = (self, view) else { return };
         if span.exit.face != OPEN {
             return;
         }
         let far = span.exit.t.to_bits().cast_unsigned();
-        let (t, face) = match row.inside(row.rise.at(x).to_bits(), far) {
+        let (ends, rise) = (view.ends(cylinder), row.rise.at(x).to_bits());
+        let (t, face) = match view.inside(ends, rise, far) {
             [true, true] => (Some(view.parameter(far)), WALL),
-            [false, _] => (view.at_cap(row.ends[0], row, x), Face(0)),
-            [true, false] => (view.at_cap(row.ends[1], row, x), Face(1)),
+            [false, _] => (view.at_cap(ends[0], row, x), Face(0)),
+            [true, false] => (view.at_cap(ends[1], row, x), Face(1)),
         };
         // A span keeps the length of a unit.
         let least = span.enter.t.plus(S::from_bits(1));
