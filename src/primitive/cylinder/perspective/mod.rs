@@ -32,9 +32,7 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cylinder<S> {
 
     #[inline]
     fn is_in_rows(&self, view: &Self::View, rows: [i32; 2]) -> bool {
-        let Some(view) = view else { return false };
-        view.float().is_some_and(|view| view.is_in_rows(rows))
-            || view.fixed().is_some_and(|view| view.is_in_rows(rows))
+        view.as_ref().is_some_and(|view| S::compute(InRows { view, rows }))
     }
 
     #[inline(never)]
@@ -55,7 +53,7 @@ impl<S: Scalar> Leaf<PerspectiveRays<S>> for Cylinder<S> {
     #[inline(never)]
     fn close(&self, view: &Self::View, row: &Self::Row, x: i32, [span]: &mut [Span<S>; 1]) {
         if let (Some(view), Some(row)) = (view, row) {
-            S::compute(Closed { cylinder: self, view, row, x, span });
+            S::compute(Closed { view, row, x, span });
         }
     }
 }
@@ -81,6 +79,31 @@ impl<S: Scalar> Formula<S> for Seen<'_, S> {
         S: FixedPoint,
     {
         View::<S>::of_fixed(TangentView::new(self.cylinder, self.rays))
+    }
+}
+
+/// Whether a row of several can meet the cylinder.
+struct InRows<'a, S: Scalar> {
+    view: &'a View<S>,
+    rows: [i32; 2],
+}
+
+impl<S: Scalar> Formula<S> for InRows<'_, S> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn float(self) -> bool
+    where
+        S: Float,
+    {
+        self.view.float().is_some_and(|view| view.is_in_rows(self.rows))
+    }
+
+    fn fixed(self) -> bool
+    where
+        S: FixedPoint,
+    {
+        self.view.fixed().is_some_and(|view| view.is_in_rows(self.rows))
     }
 }
 
@@ -153,7 +176,6 @@ impl<S: Scalar> Formula<S> for OnRay<'_, S> {
 
 /// Sets the end of a ray's span.
 struct Closed<'a, S: Scalar> {
-    cylinder: &'a Cylinder<S>,
     view: &'a View<S>,
     row: &'a Row<S>,
     x: i32,
@@ -174,7 +196,7 @@ impl<S: Scalar> Formula<S> for Closed<'_, S> {
         S: FixedPoint,
     {
         if let (Some(view), Some(row)) = (self.view.fixed(), self.row.fixed()) {
-            row.close(self.cylinder, view, self.x, self.span);
+            row.close(view, self.x, self.span);
         }
     }
 }

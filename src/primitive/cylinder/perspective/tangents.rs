@@ -57,16 +57,14 @@ pub struct Tangents<S: Scalar> {
     /// W, A and B, each in the middle of the picture, and its steps to the right and down.
     lines: [[i32; 3]; 3],
     /// How far they are shifted: in the middle, and the steps.
-    shifts: [i16; 2],
+    shifts: [i8; 2],
     /// D = Z · 2^halvings.
     distance: S::Wide,
-    halvings: i16,
+    halvings: i8,
     /// Z is `zoom` with its last bit at this place.
-    exponent: i16,
+    exponent: i8,
     zoom: u32,
-    /// How high the eye is along the axis, rounded.
-    eye: S,
-    /// By how many of the last bits of [`Wide`] that is below the eye.
+    /// By how many of the last bits of [`Wide`] the eye's rounded height is below the eye.
     below: i32,
     caps: planes::PerspectiveView<S>,
 }
@@ -80,16 +78,8 @@ pub struct Pixels<S: Scalar> {
     rise: Affine<S::Wide>,
     /// How fast it rises.
     speed: Affine<S::Wide>,
-}
-
-impl<S: Scalar> TangentView<S> {
-    #[inline]
-    pub(super) fn is_in_rows(&self, rows: [i32; 2]) -> bool {
-        match self {
-            Self::Outside(_, seen) => seen.meet(rows),
-            Self::Near(..) => true,
-        }
-    }
+    /// How high the caps are above the eye's rounded height.
+    ends: [S; 2],
 }
 
 impl<S: FixedPoint> TangentView<S> {
@@ -103,6 +93,14 @@ impl<S: FixedPoint> TangentView<S> {
         }
     }
 
+    #[inline]
+    pub(super) fn is_in_rows(&self, rows: [i32; 2]) -> bool {
+        match self {
+            Self::Outside(_, seen) => seen.meet(rows),
+            Self::Near(..) => true,
+        }
+    }
+
     pub(super) fn row(
         &self,
         cylinder: &Cylinder<S>,
@@ -111,8 +109,8 @@ impl<S: FixedPoint> TangentView<S> {
     ) -> (TangentRow<S>, Extent) {
         match self {
             Self::Outside(view, _) => {
-                let row = view.row(y);
-                (TangentRow::Outside(row), view.extent(cylinder, &row, columns))
+                let row = view.row(cylinder, y);
+                (TangentRow::Outside(row), view.extent(&row, columns))
             }
             Self::Near(view, _) => {
                 let (row, extent) = view.row(cylinder, y, columns);
@@ -156,7 +154,6 @@ impl<S: FixedPoint> Tangents<S> {
 
         let view = planes::PerspectiveView::new(&caps.normal, rays);
         let eye_height = view.at_eye(rays.distance);
-        let eye_rounded = S::from_wide(eye_height);
         let ([nearest, farthest], rows) = ball(cylinder, rays, &view);
         let of_distance = bits(rays.distance.to_bits());
         // W is less than 2 to the power of the smaller one of two bounds: by the nearest point of the ball,
@@ -193,21 +190,22 @@ impl<S: FixedPoint> Tangents<S> {
                 .map(|(step, _)| (product((dot(plane, *step) >> 30) as i32, inverse) >> 31) as i32)
         };
         let shift = short + exponent + halvings + 1 - AFFINE_BITS;
+        // Farther, nothing is left, or all of the range.
+        let stored = |shift: i32| shift.clamp(-127, 127) as i8;
         let view = Self {
             lines: [line([-e0, -e1]), line(side(root)), line(side(-root))],
-            shifts: [forward.1, right.1].map(|of_step| (shift - of_step) as i16),
+            shifts: [forward.1, right.1].map(|of_step| stored(shift - of_step)),
             distance: rays.distance,
-            halvings: halvings as i16,
-            exponent: (63 - PIXEL_BITS + halvings - zoom_exponent) as i16,
+            halvings: stored(halvings),
+            exponent: stored(63 - PIXEL_BITS + halvings - zoom_exponent),
             zoom: zoom.cast_unsigned(),
-            eye: eye_rounded,
-            below: (eye_height - eye_rounded.wide()).to_bits() as i32,
+            below: (eye_height - S::from_wide(eye_height).wide()).to_bits() as i32,
             caps: view,
         };
         Some((view, rows))
     }
 
-    fn row(&self, y: i32) -> Pixels<S> {
+    fn row(&self, cylinder: &Cylinder<S>, y: i32) -> Pixels<S> {
         let caps = planes::PerspectiveRow::new(&self.caps, y);
         let [height, speed] = caps.lines();
         let eye = self.caps.at_eye(self.distance);
@@ -218,7 +216,13 @@ impl<S: FixedPoint> Tangents<S> {
             let value = |bits: i32, shift| Wide::from_bits(shift_right(bits.into(), shift));
             Affine::row([value(middle, of_middle), value(right, of_step), value(down, of_step)], y)
         });
-        Pixels { middle, sides: [a, b], rise: Affine { middle: rise, step: rise_step }, speed }
+        Pixels {
+            middle,
+            sides: [a, b],
+            rise: Affine { middle: rise, step: rise_step },
+            speed,
+            ends: [cylinder.caps.low, cylinder.caps.high].map(|end| end.minus(S::from_wide(eye))),
+        }
     }
 
     /// So many bits has [`Pixels::rise`] below the last one of [`Wide`].
@@ -228,7 +232,7 @@ impl<S: FixedPoint> Tangents<S> {
 
     /// The columns of a row: between the planes that touch the wall, and two that touch the caps. With
     /// |w − W| ≤ (A + B)/2 on the wall, a cap's edge is between `H·(W ± (A + B)/2)`.
-    fn extent(&self, cylinder: &Cylinder<S>, row: &Pixels<S>, columns: u32) -> Extent {
+    fn extent(&self, row: &Pixels<S>, columns: u32) -> Extent {
         let [a, b] = row.sides.map(Steps::not_below);
         let steps = a.overlap(b);
         if steps.are_beside(columns) {
@@ -246,7 +250,7 @@ impl<S: FixedPoint> Tangents<S> {
         let half = shifted(a.plus(&b), shift + 1);
         let rise = shifted(row.rise, self.finer());
         let room = S::ROUNDING.wide() * Wide::from_int(16);
-        let ends = self.ends(cylinder).map(|end| end.wide() - self.below());
+        let ends = row.ends.map(Scalar::wide);
         let lean = |end: Wide, outwards: bool| {
             let is_added = (end > Wide::ZERO) == outwards;
             let edge = if is_added { middle.plus(&half) } else { middle.minus(&half) };
@@ -274,32 +278,24 @@ impl<S: FixedPoint> Tangents<S> {
         S::from_wide(Wide::from_bits(depth) - self.distance)
     }
 
-    /// How high the caps are above the eye's rounded height.
-    #[inline(always)]
-    fn ends(&self, cylinder: &Cylinder<S>) -> [S; 2] {
-        [cylinder.caps.low, cylinder.caps.high].map(|end| end.minus(self.eye))
-    }
-
-    fn below(&self) -> Wide {
-        Wide::from_bits(self.below.into())
-    }
-
-    /// How far the point of a ray with an inverse depth is above the low cap and below the high one: each
-    /// times that depth.
-    #[inline(always)]
-    fn inside(&self, ends: [S; 2], rise: i64, w: u32) -> [bool; 2] {
-        let w = w.cast_signed();
-        let rise = rise + (product(self.below, w) >> (32 - S::BITS));
-        let [low, high] = ends.map(|end| product(end.to_bits(), w));
-        [low <= rise, rise <= high]
-    }
-
-    /// Where a ray crosses a cap so high above the eye's rounded height.
+    /// Where a ray crosses a cap so high above the eye's rounded height. What that rounding took counts here:
+    /// flush caps have the same parameter, from near as from afar.
     #[inline(never)]
     fn at_cap(&self, end: S, row: &Pixels<S>, x: i32) -> Option<S> {
         let speed = row.speed.at(x);
-        let rise = Wide::from_bits(row.rise.at(x).to_bits() >> self.finer());
-        (speed != Wide::ZERO).then(|| S::quotient(end.wide() - self.below() - rise, speed))
+        let rise =
+            Wide::from_bits((row.rise.at(x).to_bits() >> self.finer()) + i64::from(self.below));
+        (speed != Wide::ZERO).then(|| S::quotient(end.wide() - rise, speed))
+    }
+}
+
+impl<S: FixedPoint> Pixels<S> {
+    /// How far the point of a ray with an inverse depth is above the low cap and below the high one: each
+    /// times that depth.
+    #[inline(always)]
+    fn inside(&self, rise: i64, w: u32) -> [bool; 2] {
+        let [low, high] = self.ends.map(|end| product(end.to_bits(), w.cast_signed()));
+        [low <= rise, rise <= high]
     }
 }
 
@@ -329,13 +325,13 @@ impl<S: FixedPoint> TangentRow<S> {
             return;
         }
         let (near, far) = (middle.wrapping_add(half), middle.wrapping_sub(half));
-        let (ends, rise) = (view.ends(cylinder), row.rise.at(x).to_bits());
-        let enter = match view.inside(ends, rise, near) {
+        let rise = row.rise.at(x).to_bits();
+        let enter = match row.inside(rise, near) {
             [true, true] => Crossing { t: view.parameter(near), face: WALL },
             [above, _] => {
-                let [low, high] = view.inside(ends, rise, far);
+                let [low, high] = row.inside(rise, far);
                 let (reaches, end, face) =
-                    if above { (high, ends[1], Face(1)) } else { (low, ends[0], Face(0)) };
+                    if above { (high, row.ends[1], Face(1)) } else { (low, row.ends[0], Face(0)) };
                 match view.at_cap(end, row, x).filter(|_| reaches) {
                     Some(t) => Crossing { t, face },
                     None => return,
@@ -353,23 +349,16 @@ impl<S: FixedPoint> TangentRow<S> {
     }
 
     /// Sets the end of a span that was left open.
-    pub(super) fn close(
-        &self,
-        cylinder: &Cylinder<S>,
-        view: &TangentView<S>,
-        x: i32,
-        span: &mut Span<S>,
-    ) {
+    pub(super) fn close(&self, view: &TangentView<S>, x: i32, span: &mut Span<S>) {
         let (Self::Outside(row), TangentView::Outside(view, _)) = (self, view) else { return };
         if span.exit.face != OPEN {
             return;
         }
         let far = span.exit.t.to_bits().cast_unsigned();
-        let (ends, rise) = (view.ends(cylinder), row.rise.at(x).to_bits());
-        let (t, face) = match view.inside(ends, rise, far) {
+        let (t, face) = match row.inside(row.rise.at(x).to_bits(), far) {
             [true, true] => (Some(view.parameter(far)), WALL),
-            [false, _] => (view.at_cap(ends[0], row, x), Face(0)),
-            [true, false] => (view.at_cap(ends[1], row, x), Face(1)),
+            [false, _] => (view.at_cap(row.ends[0], row, x), Face(0)),
+            [true, false] => (view.at_cap(row.ends[1], row, x), Face(1)),
         };
         // A span keeps the length of a unit.
         let least = span.enter.t.plus(S::from_bits(1));
