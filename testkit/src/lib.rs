@@ -19,5 +19,6 @@ pub mod quartic;
 pub mod query;
 pub mod random;
 pub mod surd;
+pub mod turn;
 pub mod ulp;
 pub mod vector;

@@ -109,6 +109,13 @@ pub const SOLIDS: SolidLimits = SolidLimits { p99: Units::new(3.0, 1.0), wrong: 
 /// Tori.
 pub const TORI: SolidLimits = SolidLimits { p99: Units::new(16.0, 4.0), wrong: 1e-5 };
 
+// Poses.
+
+/// Points that a pose turns about an axis through the origin, for coordinates below 3.
+pub const TURN: Units = Units::new(8.0, 1.0);
+/// The same about an axis elsewhere.
+pub const JOINT: Units = Units::new(16.0, 2.0);
+
 // Pictures.
 
 /// Scene units by which a pixel's ray may miss what it should see, in floating point.

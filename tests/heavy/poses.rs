@@ -7,7 +7,9 @@ use scancsg::scalar::I16F16;
 use scancsg::solid::{Placed, RayCast, Sphere};
 use scancsg::span::SpanList;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use testkit::limits;
 use testkit::number::{Tested, ball, coordinates, ray, vector};
+use testkit::turn;
 use testkit::vector::{V, add, cross, dot, length, sub, times, unit};
 
 for_every_number!(
@@ -75,15 +77,16 @@ fn turns_about_any_axis<S: Tested>() {
         let angle = S::near(angle);
         let pose = Pose::about(axis, angle).unwrap();
         prop_assert!(defect(&frame(&pose)) <= 3.0 * unit_of_frame::<S>());
-        let want = turned(coordinates(axis), angle.to_f64(), coordinates(own));
-        let off = length(sub(coordinates(pose.point(own)), want));
-        prop_assert!(off <= 16.0 * S::UNIT, "{off}");
+        let off = |center: V, pose: &Pose<S>| {
+            let at = [center, coordinates(axis)];
+            turn::miss(at, angle.to_f64(), coordinates(own), coordinates(pose.point(own)))
+        };
+        let at_origin = off([0.0; 3], &pose);
+        prop_assert!(at_origin <= limits::TURN.of::<S>(), "{at_origin}");
         // Around a point, that point stays.
         let joint = pose.around(point).unwrap();
-        let from_point = sub(coordinates(own), coordinates(point));
-        let want = add(turned(coordinates(axis), angle.to_f64(), from_point), coordinates(point));
-        let off = length(sub(coordinates(joint.point(own)), want));
-        prop_assert!(off <= 32.0 * S::UNIT, "{off}");
+        let at_point = off(coordinates(point), &joint);
+        prop_assert!(at_point <= limits::JOINT.of::<S>(), "{at_point}");
     });
 }
 

@@ -52,6 +52,8 @@ type Parts<S, const SEGMENTS: usize> = Union<Many<Cylinder<S>, SEGMENTS>, Many<J
 /// r + τ away from the curve: the wall is within τ of that of the tube around the curve itself. The
 /// ends lie in the planes through the curve's ends across the first and last segment, whose
 /// directions differ from the curve's own there by an angle of about 4τ/c for a segment of length c.
+/// The end isn't flat if c is less than r·sin θ, θ being the angle of the bend next to it. There the
+/// other cylinder of that bend stands out on the bend's inside, by up to r·sin θ − c, and shows its cap.
 ///
 /// To see no more than a fraction f of a pixel of the difference, τ is f times the size of a pixel:
 /// twice the [`half_pixel`](crate::geom::OrthographicRays::half_pixel) of the camera's rays, or frame height over
