@@ -5,6 +5,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+use fixed::types::I8F24;
 use scancsg::geom::{Axis, Vec3};
 use scancsg::render::{Depth, Gray8, Perspective, Picture, Size};
 use scancsg::scalar::{I16F16, Number, Scalar};
@@ -87,4 +88,32 @@ fn depths_are_good_to_few_units() {
         assert!(most_of_99 <= limit, "{most_of_99} from {eye:?}");
         assert!(apart <= 2, "{apart} pixels from {eye:?}");
     }
+}
+
+/// An eye that is near to its target, before the end of a rod that is thinner still: all rows that the rod is seen
+/// in have as many pixels as in `f64`.
+#[test]
+fn thin_rods_before_a_near_eye_are_seen() {
+    fn seen<S: Scalar>() -> usize {
+        let number = |bits: i32| S::from_f64(I8F24::from_bits(bits).to_f64());
+        let point = |bits: [i32; 3]| Vec3::from(bits.map(number));
+        let ends =
+            [[8_898_405, 31_184_502, 12_200_095], [8_898_407, 31_184_429, 12_199_951]].map(point);
+        let rod = Cylinder::from_to(ends[0], ends[1], number(93)).unwrap();
+        let eye = point([8_898_278, 31_188_124, 12_207_265]);
+        let target = point([8_898_814, 31_172_559, 12_176_462]);
+        let up = point([11_950_390, 2_632_288, -11_477_552]);
+        let camera = Perspective::look_at(eye, target, up, number(367_406)).unwrap();
+        let shader = Depth::new(S::from_int(-1), S::from_int(1)).unwrap();
+        let size = Size::new(40, 30).unwrap();
+        let mut picture = Picture::new(&rod, &camera, size, shader, Gray8(0));
+        let mut count = 0;
+        for y in 0..30 {
+            let mut row = picture.scanline(y).unwrap();
+            count += (0..40).filter(|x| row.seen(*x).is_some()).count();
+        }
+        count
+    }
+    let (got, want) = (seen::<I8F24>(), seen::<f64>());
+    assert!(want > 600 && got.abs_diff(want) < 30, "{got} of {want}");
 }

@@ -6,7 +6,7 @@
 #[macro_use]
 extern crate testkit;
 
-use scancsg::geom::{AffineMap, Axis, Line, Pose, Ray, Rays, Vec3};
+use scancsg::geom::{AffineMap, Axis, Line, Pose, Ray, Rays, Vec3, vec3};
 use scancsg::program::{LineError, Program, ProgramError};
 use scancsg::render::{Camera, Lambert, Orthographic, Perspective, Picture, Rgb565, Size};
 use scancsg::scalar::Scalar;
@@ -615,4 +615,32 @@ fn programs_are_made_in_constants() {
     let hit = DRILLED.hit(&ray, &mut list).unwrap().unwrap();
     assert_eq!((hit.face, DRILLED.color(hit.face)), (Face(6 + 2), Some(Rgb::new(1, 2, 3))));
     assert!(hit.normal.x < -0.9, "{hit:?}: the wall of a hole is seen from within");
+}
+
+/// Programs are equal that have the same parts, whatever there was in their memory before.
+#[test]
+fn equal_programs_have_equal_parts() {
+    let ball = |x| Sphere::<f32>::new(vec3(x, 0.0, 0.0), 1.0).unwrap();
+    let mut built = Program::<_, 4>::new(ball(0.0));
+    built.push(ball(2.0)).unwrap();
+    built.unite(2).unwrap();
+
+    let mut changed = Program::<_, 4>::new(ball(5.0));
+    changed.push(ball(1.0)).unwrap();
+    changed.push(ball(2.0)).unwrap();
+    changed.unite(3).unwrap();
+    changed.remove(1).unwrap();
+    *changed.part_mut(0).unwrap() = ball(0.0);
+    changed.paint(1, Some(Rgb::WHITE)).unwrap();
+    assert_ne!(built, changed);
+    changed.paint(1, None).unwrap();
+    assert_eq!(built, changed);
+    let mut buffer = [0; 100];
+    assert_eq!(Program::from_bytes(changed.to_bytes(&mut buffer).unwrap()), Ok(changed));
+
+    let mut cut = Program::<_, 4>::new(ball(0.0));
+    cut.push(ball(2.0)).unwrap();
+    assert_ne!(built, cut);
+    cut.subtract(1).unwrap();
+    assert_ne!(built, cut);
 }
