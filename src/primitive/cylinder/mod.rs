@@ -322,10 +322,7 @@ impl<S: Scalar> Cylinder<S> {
         let middle = (low + high) * half - axis.dot_wide(base);
         let half_length = (high - low) * half;
         let to_rim = Vec3::new(radius, half_length, S::Wide::ZERO);
-        // In fixed point, the square of a short length has few digits, or none: the root is off by less than the root
-        // of four quanta.
-        let room = S::Wide::QUANTUM * S::Wide::from_int(1 << 17);
-        (base + axis.wide() * middle, to_rim.length() + room)
+        (base + axis.wide() * middle, to_rim.length())
     }
 }
 
