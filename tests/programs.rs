@@ -644,3 +644,32 @@ fn equal_programs_have_equal_parts() {
     cut.subtract(1).unwrap();
     assert_ne!(built, cut);
 }
+
+/// Leaves, their solids and their number type may have names that the library has, too.
+mod names {
+    use scancsg::solid::{Cuboid, Cylinder, Difference, Sphere};
+
+    type Step<S> = Difference<Cuboid<S>, Cuboid<S>>;
+
+    scancsg::leaves! {
+        pub enum Shape<R> {
+            Empty(Cylinder<R>),
+            Face(Sphere<R>),
+        }
+    }
+
+    scancsg::leaves! {
+        pub enum Solid<P> {
+            Step(Step<P>),
+            Shape(super::names::Shape<P>),
+        }
+    }
+
+    #[test]
+    fn leaves_have_any_names() {
+        let ball = Sphere::<f32>::new(super::vec3(0.0, 0.0, 0.0), 1.0).unwrap();
+        let leaf = Solid::Shape(Shape::Face(ball));
+        let program = super::Program::<_, 1>::new(leaf);
+        assert_eq!(super::Solid::bounds(&program), super::Solid::bounds(&ball));
+    }
+}
