@@ -5,10 +5,11 @@
 
 #![allow(clippy::unwrap_used)]
 
-use scancsg::geom::{Axis, Vec3};
+use fixed::types::I8F24;
+use scancsg::geom::{Axis, PerspectiveRays, Vec3};
 use scancsg::render::{Depth, Gray8, Perspective, Picture, Size};
 use scancsg::scalar::{I16F16, Number, Scalar};
-use scancsg::solid::{Cylinder, Difference};
+use scancsg::solid::{Cone, Cuboid, Cylinder, Difference, Scan, Solid};
 
 /// The numbers of `tee` in hundredths: an axis, the other two coordinates, the radius and the ends.
 type Rod = (Axis, [i32; 2], [i32; 3]);
@@ -87,4 +88,48 @@ fn depths_are_good_to_few_units() {
         assert!(most_of_99 <= limit, "{most_of_99} from {eye:?}");
         assert!(apart <= 2, "{apart} pixels from {eye:?}");
     }
+}
+
+/// Solids of fewer units than Q32.32 has digits for their squares, before an eye as near to them: as many pixels as
+/// in `f64` show them.
+#[test]
+fn small_solids_before_a_near_eye_are_seen() {
+    let counts = small_solids::<I8F24>().into_iter().zip(small_solids::<f64>());
+    for (got, want) in counts {
+        assert!(want > 600 && got.abs_diff(want) < 60, "{got} of {want}");
+    }
+}
+
+/// In how many pixels a rod, a cone and a box are seen.
+fn small_solids<S: Scalar>() -> [usize; 3] {
+    let number = |bits: i32| S::from_f64(I8F24::from_bits(bits).to_f64());
+    let point = |bits: [i32; 3]| Vec3::from(bits.map(number));
+    let ends =
+        [[8_898_405, 31_184_502, 12_200_095], [8_898_407, 31_184_429, 12_199_951]].map(point);
+    let rod = Cylinder::from_to(ends[0], ends[1], number(93)).unwrap();
+    let cone = Cone::from_to(ends[0], ends[1], [number(93), number(40)]).unwrap();
+    let box_of = |[x, y, z]: [i32; 3]| {
+        let [low, high] = [-80, 80].map(|by| point([x + by, y + by, z + by]));
+        Cuboid::between(low, high).unwrap()
+    };
+    let cuboid = box_of([8_898_405, 31_184_502, 12_200_095]);
+    let eye = point([8_898_278, 31_188_124, 12_207_265]);
+    let target = point([8_898_814, 31_172_559, 12_176_462]);
+    let up = point([11_950_390, 2_632_288, -11_477_552]);
+    let camera = Perspective::look_at(eye, target, up, number(367_406)).unwrap();
+    [shown(&rod, &camera), shown(&cone, &camera), shown(&cuboid, &camera)]
+}
+
+/// In how many pixels a solid is seen.
+fn shown<S: Scalar>(
+    solid: &(impl Solid<Scalar = S> + Scan<PerspectiveRays<S>>),
+    camera: &Perspective<S>,
+) -> usize {
+    let shader = Depth::new(S::from_int(-1), S::from_int(1)).unwrap();
+    let mut picture = Picture::new(solid, camera, Size::new(40, 30).unwrap(), shader, Gray8(0));
+    let in_row = |y| {
+        let mut row = picture.scanline(y).unwrap();
+        (0..40).filter(|x| row.seen(*x).is_some()).count()
+    };
+    (0..30).map(in_row).sum()
 }

@@ -6,7 +6,7 @@
 #[macro_use]
 extern crate testkit;
 
-use scancsg::geom::{AffineMap, Axis, Line, Pose, Ray, Rays, Vec3};
+use scancsg::geom::{AffineMap, Axis, Line, Pose, Ray, Rays, Vec3, vec3};
 use scancsg::program::{LineError, Program, ProgramError};
 use scancsg::render::{Camera, Lambert, Orthographic, Perspective, Picture, Rgb565, Size};
 use scancsg::scalar::Scalar;
@@ -615,4 +615,61 @@ fn programs_are_made_in_constants() {
     let hit = DRILLED.hit(&ray, &mut list).unwrap().unwrap();
     assert_eq!((hit.face, DRILLED.color(hit.face)), (Face(6 + 2), Some(Rgb::new(1, 2, 3))));
     assert!(hit.normal.x < -0.9, "{hit:?}: the wall of a hole is seen from within");
+}
+
+/// Programs are equal that have the same parts, whatever there was in their memory before.
+#[test]
+fn equal_programs_have_equal_parts() {
+    let ball = |x| Sphere::<f32>::new(vec3(x, 0.0, 0.0), 1.0).unwrap();
+    let mut built = Program::<_, 4>::new(ball(0.0));
+    built.push(ball(2.0)).unwrap();
+    built.unite(2).unwrap();
+
+    let mut changed = Program::<_, 4>::new(ball(5.0));
+    changed.push(ball(1.0)).unwrap();
+    changed.push(ball(2.0)).unwrap();
+    changed.unite(3).unwrap();
+    changed.remove(1).unwrap();
+    *changed.part_mut(0).unwrap() = ball(0.0);
+    changed.paint(1, Some(Rgb::WHITE)).unwrap();
+    assert_ne!(built, changed);
+    changed.paint(1, None).unwrap();
+    assert_eq!(built, changed);
+    let mut buffer = [0; 100];
+    assert_eq!(Program::from_bytes(changed.to_bytes(&mut buffer).unwrap()), Ok(changed));
+
+    let mut cut = Program::<_, 4>::new(ball(0.0));
+    cut.push(ball(2.0)).unwrap();
+    assert_ne!(built, cut);
+    cut.subtract(1).unwrap();
+    assert_ne!(built, cut);
+}
+
+/// Leaves, their solids and their number type may have names that the library has, too.
+mod names {
+    use scancsg::solid::{Cuboid, Cylinder, Difference, Sphere};
+
+    type Step<S> = Difference<Cuboid<S>, Cuboid<S>>;
+
+    scancsg::leaves! {
+        pub enum Shape<R> {
+            Empty(Cylinder<R>),
+            Face(Sphere<R>),
+        }
+    }
+
+    scancsg::leaves! {
+        pub enum Solid<P> {
+            Step(Step<P>),
+            Shape(super::names::Shape<P>),
+        }
+    }
+
+    #[test]
+    fn leaves_have_any_names() {
+        let ball = Sphere::<f32>::new(super::vec3(0.0, 0.0, 0.0), 1.0).unwrap();
+        let leaf = Solid::Shape(Shape::Face(ball));
+        let program = super::Program::<_, 1>::new(leaf);
+        assert_eq!(super::Solid::bounds(&program), super::Solid::bounds(&ball));
+    }
 }

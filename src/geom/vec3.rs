@@ -77,11 +77,16 @@ impl<T: Number> Vec3<T> {
 
 impl<T: Real> Vec3<T> {
     /// The length. In fixed point, that of a vector with a coordinate from 2¹⁴ on is computed of 1024ths:
-    /// its own squares would leave the range.
+    /// its own squares would leave the range. That of one whose coordinates are below 1 is computed of 2¹⁴ times
+    /// these: its own squares would have few digits, or none.
     pub(crate) fn length(self) -> T {
-        if T::QUANTUM > T::ZERO && self.max_abs() >= T::from_int(1 << 14) {
+        let large = T::from_int(1 << 14);
+        if T::QUANTUM > T::ZERO && self.max_abs() >= large {
             let factor = T::from_int(1024);
             return (self * (T::ONE / factor)).length_squared().sqrt() * factor;
+        }
+        if T::QUANTUM > T::ZERO && self.max_abs() < T::ONE {
+            return (self * large).length_squared().sqrt() * (T::ONE / large);
         }
         self.length_squared().sqrt()
     }

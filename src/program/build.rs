@@ -73,7 +73,7 @@ use crate::span::Shape;
 /// [`push_polyhedron`](Self::push_polyhedron).
 ///
 /// Part i has the faces from i times [`Shape::FACES`] of `L` on.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Program<
     L: Shape,
     const PARTS: usize,
@@ -81,7 +81,7 @@ pub struct Program<
     const SPANS: usize = 32,
     const POOL: usize = 0,
 > {
-    /// Behind the last one, the first one again and again.
+    /// Behind the last one, any that there were.
     pub(super) leaves: [L; PARTS],
     pub(super) places: [Place; PARTS],
     tree: Tree<PARTS>,
@@ -91,7 +91,7 @@ pub struct Program<
 }
 
 /// What else there is of a part.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Place {
     pub(super) color: Rgb,
     /// The index of its pose, or one that no pose has.

@@ -44,12 +44,9 @@ macro_rules! leaves {
         }
 
         const _: () = {
-            use $crate::geom::{Line, Vec3};
-            use $crate::scalar::{Number, Scalar};
-            use $crate::scan::{ColumnRun, Empty, FaceView, PoolRow, Scan};
-            use $crate::solid::{Bounds, HalfSpace, Rgb, Shape, Solid};
-            use $crate::span::walk::{Path, Step};
-            use $crate::span::{Face, SpanStack};
+            // All is named in full: leaves and solids may have any names.
+            use $crate::scan::Scan as _;
+            use $crate::solid::{Shape as _, Solid as _};
 
             const fn most(counts: &[usize]) -> usize {
                 let (mut most, mut rest) = (0, counts);
@@ -62,33 +59,47 @@ macro_rules! leaves {
                 most
             }
 
-            impl<$S: Scalar> Shape for $Leaves<$S> {
+            impl<$S: $crate::scalar::Scalar> $crate::solid::Shape for $Leaves<$S> {
                 type Scalar = $S;
-                const SPANS: usize = most(&[$(<$Solid as Shape>::SPANS),+]);
-                const STACK: usize = most(&[$(<$Solid as Shape>::STACK),+]);
-                const FACES: u16 = most(&[$(<$Solid as Shape>::FACES as usize),+]) as u16;
+                const SPANS: usize = most(&[$(<$Solid as $crate::solid::Shape>::SPANS),+]);
+                const STACK: usize = most(&[$(<$Solid as $crate::solid::Shape>::STACK),+]);
+                const FACES: u16 =
+                    most(&[$(<$Solid as $crate::solid::Shape>::FACES as usize),+]) as u16;
             }
 
-            impl<$S: Scalar> Solid for $Leaves<$S> {
-                fn spans(&self, line: &Line<$S>, first: Face, stack: &mut SpanStack<'_, $S>) {
+            impl<$S: $crate::scalar::Scalar> $crate::solid::Solid for $Leaves<$S> {
+                fn spans(
+                    &self,
+                    line: &$crate::geom::Line<$S>,
+                    first: $crate::span::Face,
+                    stack: &mut $crate::span::SpanStack<'_, $S>,
+                ) {
                     match self {
                         $(Self::$Kind(solid) => solid.spans(line, first, stack),)+
                     }
                 }
 
-                fn normal(&self, face: Face, at: Vec3<$S>) -> Vec3<$S> {
+                fn normal(
+                    &self,
+                    face: $crate::span::Face,
+                    at: $crate::geom::Vec3<$S>,
+                ) -> $crate::geom::Vec3<$S> {
                     match self {
                         $(Self::$Kind(solid) => solid.normal(face, at),)+
                     }
                 }
 
-                fn bounds(&self) -> Bounds<$S> {
+                fn bounds(&self) -> $crate::solid::Bounds<$S> {
                     match self {
                         $(Self::$Kind(solid) => solid.bounds(),)+
                     }
                 }
 
-                fn onto(&self, face: Face, near: Vec3<$S>) -> Vec3<$S> {
+                fn onto(
+                    &self,
+                    face: $crate::span::Face,
+                    near: $crate::geom::Vec3<$S>,
+                ) -> $crate::geom::Vec3<$S> {
                     match self {
                         $(Self::$Kind(solid) => solid.onto(face, near),)+
                     }
@@ -97,23 +108,23 @@ macro_rules! leaves {
                 #[inline]
                 fn cosine(
                     &self,
-                    face: Face,
-                    at: impl FnOnce() -> Vec3<$S>,
-                    to: Vec3<$S>,
+                    face: $crate::span::Face,
+                    at: impl FnOnce() -> $crate::geom::Vec3<$S>,
+                    to: $crate::geom::Vec3<$S>,
                 ) -> $S {
                     match self {
                         $(Self::$Kind(solid) => solid.cosine(face, at, to),)+
                     }
                 }
 
-                fn color(&self, face: Face) -> Option<Rgb> {
+                fn color(&self, face: $crate::span::Face) -> Option<$crate::solid::Rgb> {
                     match self {
                         $(Self::$Kind(solid) => solid.color(face),)+
                     }
                 }
 
                 #[inline]
-                fn pooled(&self) -> Option<[Vec3<$S>; 2]> {
+                fn pooled(&self) -> Option<[$crate::geom::Vec3<$S>; 2]> {
                     match self {
                         $(Self::$Kind(solid) => solid.pooled(),)+
                     }
@@ -122,7 +133,7 @@ macro_rules! leaves {
 
             /// Where all of them have a form as bytes. The lifetime keeps solids without a parameter from
             /// being looked at here.
-            impl<$S: Scalar> $crate::program::Coded for $Leaves<$S>
+            impl<$S: $crate::scalar::Scalar> $crate::program::Coded for $Leaves<$S>
             where
                 $(for<'any> $Solid: $crate::program::Coded,)+
             {
@@ -163,30 +174,30 @@ macro_rules! leaves {
 
             /// A stage of one of the solids.
             #[derive(Debug, Clone, Copy)]
-            pub enum Stage<$($Kind),+> {
+            pub enum LeafStage<$($Kind),+> {
                 Unset,
                 $($Kind($Kind),)+
             }
 
-            impl<$($Kind),+> Empty for Stage<$($Kind),+> {
+            impl<$($Kind),+> $crate::scan::Empty for LeafStage<$($Kind),+> {
                 const EMPTY: Self = Self::Unset;
             }
 
-            impl<$S, R> Scan<R> for $Leaves<$S>
+            impl<$S, AllRays> $crate::scan::Scan<AllRays> for $Leaves<$S>
             where
-                $S: Scalar,
-                $($Solid: Scan<R, Scalar = $S>,)+
+                $S: $crate::scalar::Scalar,
+                $($Solid: $crate::scan::Scan<AllRays, Scalar = $S>,)+
             {
-                type View = Stage<$(<$Solid as Scan<R>>::View),+>;
-                type Row = Stage<$(<$Solid as Scan<R>>::Row),+>;
+                type View = LeafStage<$(<$Solid as $crate::scan::Scan<AllRays>>::View),+>;
+                type Row = LeafStage<$(<$Solid as $crate::scan::Scan<AllRays>>::Row),+>;
 
-                fn view(&self, rays: &R, view: &mut Self::View) {
+                fn view(&self, rays: &AllRays, view: &mut Self::View) {
                     match self {
                         $(Self::$Kind(solid) => {
-                            if !matches!(view, Stage::$Kind(_)) {
-                                *view = Stage::$Kind(Empty::EMPTY);
+                            if !matches!(view, LeafStage::$Kind(_)) {
+                                *view = LeafStage::$Kind($crate::scan::Empty::EMPTY);
                             }
-                            if let Stage::$Kind(view) = view {
+                            if let LeafStage::$Kind(view) = view {
                                 solid.view(rays, view);
                             }
                         })+
@@ -195,34 +206,38 @@ macro_rules! leaves {
 
                 fn is_in_rows(&self, view: &Self::View, rows: [i32; 2]) -> bool {
                     match (self, view) {
-                        $((Self::$Kind(solid), Stage::$Kind(view)) => solid.is_in_rows(view, rows),)+
+                        $((Self::$Kind(solid), LeafStage::$Kind(view)) => {
+                            solid.is_in_rows(view, rows)
+                        })+
                         _ => false,
                     }
                 }
 
                 fn row(&self, view: &Self::View, y: i32, columns: u32, row: &mut Self::Row) {
                     match (self, view) {
-                        $((Self::$Kind(solid), Stage::$Kind(view)) => {
-                            if !matches!(row, Stage::$Kind(_)) {
-                                *row = Stage::$Kind(Empty::EMPTY);
+                        $((Self::$Kind(solid), LeafStage::$Kind(view)) => {
+                            if !matches!(row, LeafStage::$Kind(_)) {
+                                *row = LeafStage::$Kind($crate::scan::Empty::EMPTY);
                             }
-                            if let Stage::$Kind(row) = row {
+                            if let LeafStage::$Kind(row) = row {
                                 solid.row(view, y, columns, row);
                             }
                         })+
-                        _ => *row = Stage::Unset,
+                        _ => *row = LeafStage::Unset,
                     }
                 }
 
-                fn enter(row: &mut Self::Row, column: u32) -> ColumnRun {
+                fn enter(row: &mut Self::Row, column: u32) -> $crate::scan::ColumnRun {
                     match row {
-                        $(Stage::$Kind(row) => <$Solid as Scan<R>>::enter(row, column),)+
-                        Stage::Unset => ColumnRun::EMPTY,
+                        $(LeafStage::$Kind(row) => {
+                            <$Solid as $crate::scan::Scan<AllRays>>::enter(row, column)
+                        })+
+                        LeafStage::Unset => $crate::scan::ColumnRun::EMPTY,
                     }
                 }
 
                 #[inline(always)]
-                fn contains<P: Path>(
+                fn contains<OnePath: $crate::span::walk::Path>(
                     &self,
                     view: &Self::View,
                     row: &mut Self::Row,
@@ -230,40 +245,40 @@ macro_rules! leaves {
                     t: $S,
                 ) -> bool {
                     match (self, view, row) {
-                        $((Self::$Kind(solid), Stage::$Kind(view), Stage::$Kind(row)) => {
-                            solid.contains::<P>(view, row, x, t)
+                        $((Self::$Kind(solid), LeafStage::$Kind(view), LeafStage::$Kind(row)) => {
+                            solid.contains::<OnePath>(view, row, x, t)
                         })+
                         _ => false,
                     }
                 }
 
                 #[inline(always)]
-                fn step<P: Path>(
+                fn step<OnePath: $crate::span::walk::Path>(
                     &self,
                     view: &Self::View,
                     row: &mut Self::Row,
                     x: i32,
                     t: $S,
-                    first: Face,
-                ) -> Step<$S> {
+                    first: $crate::span::Face,
+                ) -> $crate::span::walk::Step<$S> {
                     match (self, view, row) {
-                        $((Self::$Kind(solid), Stage::$Kind(view), Stage::$Kind(row)) => {
-                            solid.step::<P>(view, row, x, t, first)
+                        $((Self::$Kind(solid), LeafStage::$Kind(view), LeafStage::$Kind(row)) => {
+                            solid.step::<OnePath>(view, row, x, t, first)
                         })+
-                        _ => Step::OUTSIDE,
+                        _ => $crate::span::walk::Step::OUTSIDE,
                     }
                 }
 
                 fn view_faces(
                     &self,
-                    rays: &R,
-                    faces: &[HalfSpace<$S>],
-                    views: &mut [FaceView<$S>],
+                    rays: &AllRays,
+                    faces: &[$crate::solid::HalfSpace<$S>],
+                    views: &mut [$crate::scan::FaceView<$S>],
                     range: [u16; 2],
                     view: &mut Self::View,
                 ) {
                     match (self, view) {
-                        $((Self::$Kind(solid), Stage::$Kind(view)) => {
+                        $((Self::$Kind(solid), LeafStage::$Kind(view)) => {
                             solid.view_faces(rays, faces, views, range, view);
                         })+
                         _ => {}
@@ -273,17 +288,17 @@ macro_rules! leaves {
                 fn row_faces(
                     &self,
                     view: &Self::View,
-                    pool: PoolRow<'_, $S>,
+                    pool: $crate::scan::PoolRow<'_, $S>,
                     y: i32,
                     columns: u32,
                     row: &mut Self::Row,
                 ) {
                     match (self, view) {
-                        $((Self::$Kind(solid), Stage::$Kind(view)) => {
-                            if !matches!(row, Stage::$Kind(_)) {
-                                *row = Stage::$Kind(Empty::EMPTY);
+                        $((Self::$Kind(solid), LeafStage::$Kind(view)) => {
+                            if !matches!(row, LeafStage::$Kind(_)) {
+                                *row = LeafStage::$Kind($crate::scan::Empty::EMPTY);
                             }
-                            if let Stage::$Kind(row) = row {
+                            if let LeafStage::$Kind(row) = row {
                                 solid.row_faces(view, pool, y, columns, row);
                             }
                         })+
@@ -295,12 +310,12 @@ macro_rules! leaves {
                 fn ray_faces(
                     &self,
                     view: &Self::View,
-                    pool: PoolRow<'_, $S>,
+                    pool: $crate::scan::PoolRow<'_, $S>,
                     x: i32,
                     row: &mut Self::Row,
                 ) {
                     match (self, view, row) {
-                        $((Self::$Kind(solid), Stage::$Kind(view), Stage::$Kind(row)) => {
+                        $((Self::$Kind(solid), LeafStage::$Kind(view), LeafStage::$Kind(row)) => {
                             solid.ray_faces(view, pool, x, row);
                         })+
                         _ => {}

@@ -28,6 +28,7 @@ mod leaves;
 mod picture;
 mod pool;
 mod ray;
+mod same;
 mod solid;
 mod tree;
 

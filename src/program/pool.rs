@@ -5,7 +5,7 @@ use crate::quadric::HalfSpace;
 use crate::scalar::Scalar;
 
 /// Up to `N` faces, in the order of the parts that they belong to.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Pool<S: Scalar, const N: usize> {
     pub(super) faces: [HalfSpace<S>; N],
     /// The part of each face; behind the last face, one that there isn't.

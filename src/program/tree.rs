@@ -7,7 +7,7 @@ use crate::span::chain::Link;
 ///
 /// Every operator takes the place of two operands, so there are fewer operators than leaves. What isn't
 /// combined is united: so there is no unfinished tree.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Tree<const N: usize> {
     operators: [Operator; N],
     count: u16,
