@@ -40,6 +40,7 @@ pub struct Search {
 /// are an error at the end.
 pub fn run(chosen: &Search) -> Result<(), String> {
     for suite in SUITES {
+        println!("{suite}: building");
         done(tests(suite).arg("--no-run"))?;
     }
     let start = Instant::now();
