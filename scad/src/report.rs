@@ -14,7 +14,7 @@ pub fn part(counts: Counts, model: &Model, scene: &Scene, pixels: u16, took: Dur
     say!("frames     {}", model.frames.len());
     say!("modelled   in {took:.1?}");
     match working("measuring", || measure(scene, pixels)) {
-        None => say!("volume     0"),
+        None => say!("volume     none found: the part is thinner than a pixel of the pictures"),
         Some(measures) => {
             let digits = digits(measures.volume_error);
             say!("volume     {:.digits$} ± {:.digits$}", measures.volume, measures.volume_error);

@@ -11,7 +11,7 @@ where
     L: Copy,
 {
     /// Adds a polyhedron as a part, with its faces in the pool, and returns its index. `part` is the leaf that
-    /// stands for it.
+    /// stands for it: a [`Pooled`](crate::solid::Pooled) of as many faces. The faces of any other leaf are not used.
     ///
     /// ```
     /// use scancsg::geom::{Axis, Ray, vec3};
@@ -84,8 +84,9 @@ impl<L: Shape, const PARTS: usize, const POSES: usize, const SPANS: usize, const
     /// ```
     ///
     /// # Errors
-    /// [`ProgramError::NoPart`]; [`ProgramError::Faces`] for more faces than the pool has room for, or than a
-    /// leaf has.
+    /// [`ProgramError::NoPart`]; [`ProgramError::Faces`] for more faces than the pool has room for, or than the
+    /// leaf with the most faces has. A part with more faces than its own leaf names is rendered, but its bytes
+    /// can't be read by a program without a larger leaf.
     pub const fn set_faces<const M: usize>(
         &mut self,
         part: usize,

@@ -37,8 +37,8 @@ crate::error_text! {
         Number => "the device computes in another number type",
         /// It has a part of a kind that the device's firmware doesn't name.
         Kind => "it has a part of a kind that the device doesn't know",
-        /// It has more parts or poses than the device has room for.
-        TooLarge => "it has more parts or poses than the device has room for",
+        /// It has more parts, poses or faces in a pool than the device has room for.
+        TooLarge => "it has more parts, poses or faces than the device has room for",
         /// It isn't what the device takes, for any other reason.
         Invalid => "it is nothing that the device can read",
     }
