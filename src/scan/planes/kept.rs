@@ -3,7 +3,7 @@
 use crate::scalar::{Number, Scalar};
 use crate::scan::Empty;
 
-/// A face as a camera sees it: the numbers of an [`OrthographicView`] or of a [`PerspectiveView`].
+/// A face as a camera sees it: the numbers of its view along parallel rays, or from an eye.
 #[derive(Debug, Clone, Copy)]
 pub struct FaceView<S: Scalar>(pub(super) [S::Wide; 4]);
 
