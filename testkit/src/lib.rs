@@ -18,6 +18,7 @@ pub mod oracle;
 pub mod quartic;
 pub mod query;
 pub mod random;
+pub mod says;
 pub mod surd;
 pub mod turn;
 pub mod ulp;

@@ -4,37 +4,13 @@
 use crate::aim::{direction, up};
 use crate::number::{Tested, ball, between, vector};
 use proptest::prelude::*;
-use scancsg::geom::{Line, Rays, Vec3};
+use scancsg::geom::{Rays, Vec3};
 use scancsg::render::{Camera, Gray8, Orthographic, Perspective, Picture, Size, XRay};
 use scancsg::solid::{Bounds, ByLine, Difference, Many, Placed, Scan, Slab, Solid, Sphere, Union};
-use scancsg::span::{Face, Shape, SpanList, SpanStack};
+use scancsg::span::{Face, Shape, SpanList};
+use testkit::says::Says;
 
 for_every_number!(bounds_cut_nothing_off, two_spans_on_either_side, many_is_an_array,);
-
-/// A solid that says other bounds than its own, or none.
-#[derive(Debug, Clone, Copy)]
-struct Says<T: Shape>(T, Bounds<T::Scalar>);
-
-impl<T: Shape> Shape for Says<T> {
-    type Scalar = T::Scalar;
-    const SPANS: usize = T::SPANS;
-    const STACK: usize = T::STACK;
-    const FACES: u16 = T::FACES;
-}
-
-impl<T: Solid> Solid for Says<T> {
-    fn spans(&self, line: &Line<T::Scalar>, first: Face, stack: &mut SpanStack<'_, T::Scalar>) {
-        self.0.spans(line, first, stack);
-    }
-
-    fn normal(&self, face: Face, at: Vec3<T::Scalar>) -> Vec3<T::Scalar> {
-        self.0.normal(face, at)
-    }
-
-    fn bounds(&self) -> Bounds<T::Scalar> {
-        self.1
-    }
-}
 
 const SIZE: [u16; 2] = [40, 30];
 

@@ -1,40 +1,17 @@
 //! Rays in fixed point from far away at small solids that are placed: a direction is rounded in the solid's
 //! frame, and what that loses must not grow with the way.
 
-use scancsg::geom::{Line, Pose, Vec3};
+use scancsg::geom::Pose;
 use scancsg::scalar::{I16F16, Number};
 use scancsg::solid::{Bounds, ByLine, Placed, RayCast, Solid};
-use scancsg::span::{Face, Shape, SpanList, SpanStack};
+use scancsg::span::{Face, SpanList};
 use testkit::number::{Tested, ball, between, coordinates, ray, vector};
+use testkit::says::Says;
 use testkit::vector::{V, dot, length, sub};
 
 type S = I16F16;
 
 const RADIUS: f64 = 0.005;
-
-/// A ball of a user's own, with the bounds that he says.
-#[derive(Debug, Clone, Copy)]
-struct Own<T: Shape>(T, Bounds<T::Scalar>);
-
-impl<T: Shape> Shape for Own<T> {
-    type Scalar = T::Scalar;
-    const SPANS: usize = T::SPANS;
-    const FACES: u16 = T::FACES;
-}
-
-impl<T: Solid> Solid for Own<T> {
-    fn spans(&self, line: &Line<T::Scalar>, first: Face, stack: &mut SpanStack<'_, T::Scalar>) {
-        self.0.spans(line, first, stack);
-    }
-
-    fn normal(&self, face: Face, at: Vec3<T::Scalar>) -> Vec3<T::Scalar> {
-        self.0.normal(face, at)
-    }
-
-    fn bounds(&self) -> Bounds<T::Scalar> {
-        self.1
-    }
-}
 
 /// Every ray at the middle hits, and sees a normal that points back at it to within 8°.
 fn check(turned: impl Fn(Pose<S>) -> Pose<S>, center: V, solid: impl Solid<Scalar = S> + Copy) {
@@ -65,7 +42,7 @@ fn balls_are_hit_where_they_are() {
     let (here, there) = ([0.0; 3], [1000.0, 20.0, -300.0]);
     let own = |center: V| {
         let bounds = Bounds::Ball { center: vector(center), radius: S::near(RADIUS) };
-        ByLine::<_, 1>::new(Own(ball(center, RADIUS), bounds))
+        ByLine::<_, 1>::new(Says(ball(center, RADIUS), bounds))
     };
     // In its own frame's middle, turned there; and turned, then moved.
     check(|turn| turn, here, ball::<S>(here, RADIUS));
