@@ -25,6 +25,7 @@ for_every_number!(
     seen_along_any_direction,
     seen_along_its_axis,
     seen_along_its_side,
+    seen_along_the_side_on_a_grid,
     seen_from_anywhere,
     seen_from_within,
 );
@@ -286,6 +287,37 @@ fn seen_along_its_side<S: Tested>() {
         let off: caster::V = off.map(|k: f64| k * 10f64.powi(-power));
         along(&subject, caster::add(caster::times(side, if back { -1.0 } else { 1.0 }), off))?;
     });
+}
+
+/// With sides of 45 degrees, and a column of pixels in the plane that touches the side: there, only
+/// rounding tells flatter rays from steeper ones.
+fn seen_along_the_side_on_a_grid<S: Tested>() {
+    let cones = (0..3usize)
+        .flat_map(|axis| [[-0.5, 1.0], [0.0, 0.0], [1.0, -0.5]].map(|at| (axis, at)).into_iter());
+    let turns =
+        [1, 2].map(|turn| [-1.0, 1.0].map(|along| [-1.0, 1.0].map(|aside| (turn, along, aside))));
+    for ((axis, [u, v]), radii) in
+        cones.flat_map(|cone| [[0.0, 1.0], [1.0, 0.0]].map(|r| (cone, r)))
+    {
+        let [x, y, low, high] = [u, v, -0.5, 0.5].map(S::near);
+        let cone = S::cone_along(axis, [x, y], radii.map(S::near), low, high).unwrap();
+        let [from, to] = [-0.5, 0.5].map(|along| {
+            let mut end = [u, v, along];
+            end[axis..].rotate_right(1);
+            end
+        });
+        let model = Model::Cone { from, to, radii };
+        let tip = if radii[0] == 0.0 { from } else { to };
+        for (turn, along, aside) in turns.concat().concat() {
+            let mut way = [0.0; 3];
+            (way[axis], way[(axis + turn) % 3]) = (along, aside);
+            let up = if way[1] == 0.0 { UP } else { [1.0, 0.25, 0.5] };
+            for target in [tip, [0.0; 3]] {
+                let (camera, view) = orthographic::<S>(way, target, up, 5.0);
+                compare((&cone, &model), (&camera, &view), [9, 9]).unwrap();
+            }
+        }
+    }
 }
 
 fn seen_from_anywhere<S: Tested>() {

@@ -116,14 +116,23 @@ fn closely<S: Float>(taper: &Taper<S>, caps: &Planes<S>, line: &Line<S>) -> Opti
 }
 
 /// Where a pixel's ray is inside the nappe between the caps, from plain sums.
+///
+/// Along the side, a and the discriminant are what rounding leaves of them. Two roots come of them only
+/// if they fit together: so there the discriminant is that of the rounded a.
 #[inline(always)]
 pub(in crate::quadric) fn conic<S: Float>(conic: &Conic<S>) -> Option<[S; 2]> {
     let &Conic { from: [x, y, radius], step: [dx, dy, growth] } = conic;
-    let a = dx * dx + dy * dy - growth * growth;
+    let (of_m, of_growth) = (dx * dx + dy * dy, growth * growth);
+    let a = of_m - of_growth;
     let b = x * dx + y * dy - radius * growth;
     let c = x * x + y * y - radius * radius;
-    let (w0, w1, k) = (radius * dx - growth * x, radius * dy - growth * y, x * dy - y * dx);
-    nappe(a, b, c, w0 * w0 + w1 * w1 - k * k, growth)
+    let discriminant = if a.abs() <= of_growth * S::EPSILON * S::from_int(16) {
+        b * b - a * c
+    } else {
+        let (w0, w1, k) = (radius * dx - growth * x, radius * dy - growth * y, x * dy - y * dx);
+        w0 * w0 + w1 * w1 - k * k
+    };
+    nappe(a, b, c, discriminant, growth)
 }
 
 /// Where `a t² + 2 b t + c` is below zero in the nappe between the caps: from one root to the other, or
