@@ -75,7 +75,7 @@ fn hashes(rows: &[Vec<u8>]) -> String {
 /// Compares with a file of `tests/golden`, and shows the lines that differ.
 #[track_caller]
 fn golden(name: &str, got: &str) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(name);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden").join(name);
     if std::env::var_os("SCANCSG_BLESS").is_some_and(|value| value == "1") {
         std::fs::write(&path, got).unwrap();
         return;

@@ -1,6 +1,6 @@
 //! What must hold of the link and of programs whatever the bytes are. A function fails by a panic.
 //!
-//! `tests/hostile_bytes.rs` runs these with some bytes of its own at every test.
+//! `tests/programs/hostile.rs` runs these with some bytes of its own at every test.
 
 mod program;
 

@@ -11,6 +11,7 @@ pub mod cylinder_table;
 pub mod expect;
 mod fnv;
 pub mod gallery;
+pub mod instances;
 pub mod limits;
 pub mod link;
 pub mod number;

@@ -1,5 +1,5 @@
 //! Every way to give the crate something it can't use, and the error that says so. What is the same
-//! for all number types is in `tests/errors.rs`.
+//! for all number types is in `tests/library/errors.rs`.
 
 use crate::number::{Tested, ball, ray, spans, vector};
 use scancsg::geom::{Pose, PoseError, Ray, RayError, Vec3};

@@ -18,3 +18,4 @@ mod poses;
 mod shared_axis;
 mod tiny_solids;
 mod tori;
+mod widest_spans;

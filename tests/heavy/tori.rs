@@ -1,5 +1,5 @@
 //! The torus: in pictures what its lines say, and hits on its surface. Its lines alone are in
-//! `tests/torus_exact.rs`.
+//! `tests/exact/torus.rs`.
 
 use crate::aim::{direction, from_middle, up};
 use crate::limits;

@@ -140,7 +140,7 @@ fn test() -> Result<(), String> {
 /// What README's test command leaves out, which has no features.
 fn features() -> Result<(), String> {
     done(&mut command(
-        "cargo test --package scancsg --all-features --test embedded_graphics --test serde --test stream_async",
+        "cargo test --package suites --all-features --test embedded_graphics --test serde --test stream_async",
     ))?;
     done(&mut command("cargo test --package scancsg --all-features --doc -- interop cookbook"))
 }

@@ -7,19 +7,16 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 
 /// What has random tests.
-const SUITES: [&str; 12] = [
+const SUITES: [&str; 9] = [
     "--lib",
     "--test conformance",
     "--test exact",
+    "--test fixed",
     "--test heavy",
-    "--test hostile_bytes",
-    "--test program_bytes",
+    "--test link",
     "--test programs",
     "--test solids",
     "--test splines",
-    "--test stream",
-    "--test stream_link",
-    "--test upload",
 ];
 
 #[derive(Debug, clap::Args)]
@@ -83,6 +80,8 @@ fn tests(suite: &str) -> Command {
         "search",
         "--package",
         "scancsg",
+        "--package",
+        "suites",
         "--package",
         "heavy",
     ]);

@@ -3,9 +3,6 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
-#[macro_use]
-extern crate testkit;
-
 use scancsg::geom::{AffineMap, Axis, Line, Pose, Ray, Rays, Vec3, vec3};
 use scancsg::program::{LineError, Program, ProgramError};
 use scancsg::render::{Camera, Lambert, Orthographic, Perspective, Picture, Rgb565, Size};

@@ -3,9 +3,6 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
-#[macro_use]
-extern crate testkit;
-
 use scancsg::constant;
 use scancsg::geom::{Axis, OrthographicRays, PerspectiveRays, Pose, Ray, Rays, Vec3, vec3};
 use scancsg::program::{BytesError, Program, ProgramError};

@@ -13,8 +13,7 @@ use scancsg::stream::{
 use scene::Scene;
 use scene::pipe::PipeScene;
 
-#[path = "../examples/scene/mod.rs"]
-mod scene;
+use crate::scene;
 
 /// All bytes of a frame on a clean line, which are checked against the rows.
 fn bytes<P: WirePixel>(source: &mut dyn RowSource<Pixel = P>, coding: impl RowCoding<P>) -> u64 {

@@ -12,7 +12,7 @@ use scancsg::stream::{
     encode_end, encode_header, encode_request, encode_row,
 };
 
-const DOCUMENT: &str = include_str!("../docs/link.md");
+const DOCUMENT: &str = include_str!("../../docs/link.md");
 
 /// The block of code with this label.
 fn block(label: &str) -> &'static str {
@@ -134,7 +134,7 @@ fn line<P: WirePixel>(coding: impl RowCoding<P>, palette: Palette, pixels: &[P])
 
 /// What the document's decoder prints.
 fn decoded(line: &[u8]) -> String {
-    let docs = concat!(env!("CARGO_MANIFEST_DIR"), "/docs");
+    let docs = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs");
     let mut python = Command::new("python3")
         .args(["-B", "-c", block("python")])
         .env("PYTHONPATH", docs)

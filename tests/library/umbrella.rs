@@ -19,7 +19,7 @@ fn files(folder: &Path, found: &mut Vec<PathBuf>) {
 
 #[test]
 fn every_error_enum_is_a_variant() {
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src");
     let umbrella = fs::read_to_string(source.join("interop/error.rs")).unwrap();
     let mut paths = Vec::new();
     files(&source, &mut paths);

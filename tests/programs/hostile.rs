@@ -2,8 +2,8 @@
 
 #![allow(clippy::expect_used)]
 
-#[path = "../fuzz/src/lib.rs"]
-mod hostile;
+#[path = "../../fuzz/src/lib.rs"]
+mod targets;
 
 use testkit::random::Random;
 
@@ -40,36 +40,36 @@ fn hold(name: &str, count: usize, longest: usize, check: fn(&[u8])) {
 
 #[test]
 fn decoder() {
-    hold("decoder", 2_000, 700, hostile::decoder);
+    hold("decoder", 2_000, 700, targets::decoder);
 }
 
 #[test]
 fn rows() {
-    hold("rows", 2_000, 900, hostile::rows);
+    hold("rows", 2_000, 900, targets::rows);
 }
 
 #[test]
 fn receiver() {
-    hold("receiver", 1_000, 900, hostile::receiver);
+    hold("receiver", 1_000, 900, targets::receiver);
 }
 
 #[test]
 fn sender() {
-    hold("sender", 1_000, 500, hostile::sender);
+    hold("sender", 1_000, 500, targets::sender);
 }
 
-/// Bytes of this kind are seldom a program: `tests/program_bytes.rs` changes those of one.
+/// Bytes of this kind are seldom a program: `tests/programs/bytes.rs` changes those of one.
 #[test]
 fn program() {
-    hold("program", 2_000, 200, hostile::program);
+    hold("program", 2_000, 200, targets::program);
 }
 
 #[test]
 fn inbox() {
-    hold("inbox", 1_000, 900, hostile::inbox);
+    hold("inbox", 1_000, 900, targets::inbox);
 }
 
 #[test]
 fn upload() {
-    hold("upload", 1_000, 500, hostile::upload);
+    hold("upload", 1_000, 500, targets::upload);
 }

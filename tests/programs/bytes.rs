@@ -3,9 +3,6 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
-#[macro_use]
-extern crate testkit;
-
 use scancsg::constant;
 use scancsg::geom::{AffineMap, Axis, Pose, Ray, Vec3, vec3};
 use scancsg::program::{BytesError, Program};
@@ -220,7 +217,7 @@ fn noise_is_an_error() {
 /// The bytes in the document are what it says.
 #[test]
 fn the_documents_example_is_read() {
-    let text = include_str!("../docs/program.md");
+    let text = include_str!("../../docs/program.md");
     let (_, example) = text.split_once("```text\n").unwrap();
     let (example, _) = example.split_once("```").unwrap();
     let is_byte = |word: &&str| word.len() == 2 && u8::from_str_radix(word, 16).is_ok();

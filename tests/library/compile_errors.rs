@@ -17,8 +17,8 @@ const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 fn library() -> PathBuf {
     let cargo = env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo"));
     let mut build = Command::new(cargo);
-    build.args(["test", "--no-run", "--test", "compile_errors", "--message-format", "json"]);
-    let output = build.current_dir(ROOT).output().unwrap();
+    build.args(["test", "--no-run", "--test", "library", "--message-format", "json"]);
+    let output = build.current_dir(Path::new(ROOT).join("..")).output().unwrap();
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     assert!(output.status.success(), "{text}{}", String::from_utf8_lossy(&output.stderr));
     let mut files = text.split('"').filter(|part| part.ends_with(".rlib"));
@@ -56,7 +56,7 @@ fn check(file: &Path, library: &Path) {
 #[test]
 fn errors_point_the_right_way() {
     let library = &library();
-    let folder = fs::read_dir(Path::new(ROOT).join("tests/compile_errors")).unwrap();
+    let folder = fs::read_dir(Path::new(ROOT).join("compile_errors")).unwrap();
     let files: Vec<_> = folder.map(|entry| entry.unwrap().path()).collect();
     assert!(files.len() >= 11, "{} files", files.len());
     let cores = thread::available_parallelism().map_or(1, usize::from);

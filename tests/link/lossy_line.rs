@@ -1,12 +1,11 @@
 //! Frames over lossy lines in simulated time: every one arrives, whole and right, and in good time.
 //!
-//! `SCANCSG_FRAMES=1000 cargo test --release --test lossy_line -- --nocapture` runs so many frames each, and
+//! `SCANCSG_FRAMES=1000 cargo test --release --test link lossy_line -- --nocapture` runs so many frames each, and
 //! shows the figures.
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
-#[path = "../examples/scene/mod.rs"]
-mod scene;
+use crate::scene;
 
 use scene::Scene;
 

@@ -1,0 +1,4 @@
+//! Fixed point where its range or its digits end.
+
+mod extremes;
+mod perspective;
