@@ -76,8 +76,6 @@ fn tests(suite: &str) -> Command {
     command.args([
         "test",
         "--quiet",
-        "--profile",
-        "search",
         "--package",
         "scancsg",
         "--package",
