@@ -293,7 +293,7 @@ fn cameras<S: Tested>(random: &mut Random) -> (Orthographic<S>, Perspective<S>) 
 /// On a grid, where ties are the rule.
 fn random_programs_are_the_merge_of_their_leaves<S: Tested>() {
     let mut crossings = 0;
-    for seed in 0..80 {
+    for seed in 0..100 {
         let random = &mut Random::seeded(seed);
         let count = 1 + random.below(PARTS);
         let tree = Tree::random(random, 0, count);
