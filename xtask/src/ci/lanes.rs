@@ -69,7 +69,7 @@ fn tell(news: &Receiver<News>) -> Result<(), String> {
     loop {
         match news.recv_timeout(SILENCE) {
             Ok(News::Begins(name)) => {
-                println!("\n... {name} begins");
+                println!("... {name} begins");
                 running.push(name);
             }
             Ok(News::Ends(name, output)) => {

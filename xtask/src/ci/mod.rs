@@ -102,17 +102,24 @@ pub fn run(chosen: &Ci) -> Result<(), String> {
             .find(|step| step.name == name)
             .ok_or_else(|| format!("there is no step `{name}`; `cargo xtask ci --list` names them"))
     };
-    if !chosen.step.is_empty() {
-        let steps: Vec<&Step> = chosen.step.iter().map(find).collect::<Result<_, _>>()?;
-        return steps.into_iter().try_for_each(do_one);
-    }
     let start = Instant::now();
-    // Before a step builds it anew.
+    if chosen.step.is_empty() {
+        all()?;
+    } else {
+        let steps: Vec<&Step> = chosen.step.iter().map(find).collect::<Result<_, _>>()?;
+        steps.into_iter().try_for_each(do_one)?;
+    }
+    if chosen.step.len() != 1 {
+        println!("\n=== all in {:.0} s", start.elapsed().as_secs_f32());
+    }
+    Ok(())
+}
+
+fn all() -> Result<(), String> {
+    // Its path, before a step builds it anew.
     let program = env::current_exe().map_err(|error| error.to_string())?;
     ALONE.iter().try_for_each(do_one)?;
-    lanes::run(&[HOST, FIRMWARE], |step| lanes::apart(&program, step))?;
-    println!("\n=== all in {:.0} s", start.elapsed().as_secs_f32());
-    Ok(())
+    lanes::run(&[HOST, FIRMWARE], |step| lanes::apart(&program, step))
 }
 
 fn do_one(step: &Step) -> Result<(), String> {

@@ -38,29 +38,21 @@ impl Purpose {
         }
     }
 
-    /// Whether it is there, besides its programs.
-    fn is_ready(self) -> bool {
-        match self {
-            Self::Python => output(&mut command("python3 -m pip --version")).is_ok(),
-            Self::Browser => toolchain::is_there(toolchain::WEB),
-            Self::Boards => Board::ALL.iter().all(|board| toolchain::is_there(board.target())),
-            Self::Scad | Self::Node | Self::C => true,
-        }
-    }
-
     /// The packages that are missing.
     fn missing(self) -> Vec<&'static str> {
-        let programs = self.programs().iter().filter(|(program, _)| !has_program(program));
-        let mut packages: Vec<&str> = programs.map(|(_, package)| *package).collect();
-        if !self.is_ready() {
-            let rest = if matches!(self, Self::Python) {
+        let lacks = |target| !toolchain::is_there(target);
+        let rest = match self {
+            Self::Python if output(&mut command("python3 -m pip --version")).is_err() => {
                 "python3-pip"
-            } else {
+            }
+            Self::Browser if lacks(toolchain::WEB) => toolchain::DEBIAN_PACKAGES,
+            Self::Boards if Board::ALL.iter().any(|board| lacks(board.target())) => {
                 toolchain::DEBIAN_PACKAGES
-            };
-            packages.extend(rest.split(' '));
-        }
-        packages
+            }
+            _ => "",
+        };
+        let programs = self.programs().iter().filter(|(program, _)| !has_program(program));
+        programs.map(|(_, package)| *package).chain(rest.split_whitespace()).collect()
     }
 }
 
