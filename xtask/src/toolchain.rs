@@ -140,7 +140,7 @@ fn libraries(rustc: &Path, cargo: &Path, target: &str, version: &str) -> Result<
     let text = |error: std::io::Error| format!("{}: {error}", sysroot.display());
     // One builds it. Whoever waits for that finds it built.
     fs::create_dir_all(&sysroot).map_err(text)?;
-    let lock = fs::File::create(sysroot.join("lock")).map_err(text)?;
+    let lock = fs::File::create(sysroot.join(format!("lock-{target}"))).map_err(text)?;
     lock.lock().map_err(text)?;
     if is_built() {
         return Ok(sysroot);
