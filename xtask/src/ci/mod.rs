@@ -50,8 +50,8 @@ const ALONE: &[Step] = &[
     },
 ];
 
-/// A lane: steps that build for this computer, in `target` itself. At the end, firmware that the other lane has
-/// built by then, or that it builds under other names.
+/// A lane: steps that build for this computer, in `target` itself, and at the end some that build firmware, under
+/// names that the other lane builds nothing else under.
 const HOST: &[Step] = &[
     Step { name: "docs", what: "documentation without a warning", run: docs },
     Step { name: "accuracy", what: "every target, against exact arithmetic", run: accuracy },
@@ -70,6 +70,7 @@ const HOST: &[Step] = &[
     Step { name: "web", what: "the page in a browser has the host's bits", run: page },
     Step { name: "c", what: "programs in C have the host's rows, also on two boards", run: in_c },
     Step { name: "device", what: "parts sent to firmware, and its pictures of them", run: parts },
+    Step { name: "template", what: "a firmware of one's own has the host's rows", run: template },
     Step { name: "pico", what: "a Pico in another emulator has the host's picture", run: pico },
 ];
 
@@ -84,7 +85,6 @@ const FIRMWARE: &[Step] = &[
     },
     Step { name: "log", what: "firmware's log", run: logs },
     Step { name: "faults", what: "firmware on a line with faults", run: with_faults },
-    Step { name: "template", what: "a firmware of one's own has the host's rows", run: template },
 ];
 
 fn steps() -> impl Iterator<Item = &'static Step> {
