@@ -133,13 +133,21 @@ fn libraries(rustc: &Path, cargo: &Path, target: &str, version: &str) -> Result<
         .collect();
     let sysroot = cache().join(name);
     let place = sysroot.join("lib/rustlib").join(target);
-    if place.join("lib").is_dir() {
+    let is_built = || place.join("lib").is_dir();
+    if is_built() {
+        return Ok(sysroot);
+    }
+    let text = |error: std::io::Error| format!("{}: {error}", sysroot.display());
+    // One builds it. Whoever waits for that finds it built.
+    fs::create_dir_all(&sysroot).map_err(text)?;
+    let lock = fs::File::create(sysroot.join(format!("lock-{target}"))).map_err(text)?;
+    lock.lock().map_err(text)?;
+    if is_built() {
         return Ok(sysroot);
     }
     eprintln!("building the core library for {target}, once ...");
     // A page needs an allocator, and what else there is without a system.
     let crates = if target == WEB { "std,panic_abort" } else { "core,compiler_builtins" };
-    let text = |error: std::io::Error| format!("{}: {error}", sysroot.display());
     let work = sysroot.join(format!("build-{target}-{}", std::process::id()));
     let source = work.join("src");
     fs::create_dir_all(&source).map_err(text)?;

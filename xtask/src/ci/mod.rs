@@ -1,18 +1,23 @@
-//! The gate: what must hold before a change lands, in steps.
+//! The gate: what must hold before a change lands, in steps. The first ones are done alone, and the rest in two
+//! lanes beside each other.
+
+mod lanes;
+mod tools;
 
 use crate::board::{Board, Number};
 use crate::boards::{self, Boards};
 use crate::command::done;
 use crate::paths::root;
-use crate::toolchain::{self, has_program};
 use crate::{c, device, faults, hals, layers, log, pico, python, template, web};
+use std::env;
 use std::fs;
 use std::process::Command;
 use std::time::Instant;
+use tools::Purpose;
 
 #[derive(Debug, clap::Args)]
 pub struct Ci {
-    /// Only these steps, in this order [default: all]
+    /// Only these steps, one after the other [default: all, most of them in two lanes]
     step: Vec<String>,
 
     /// Name the steps, and do none
@@ -26,8 +31,8 @@ struct Step {
     run: fn() -> Result<(), String>,
 }
 
-/// Quick ones first.
-const STEPS: [Step; 21] = [
+/// Alone, one after the other: quick ones first, and what the lanes need.
+const ALONE: &[Step] = &[
     Step { name: "format", what: "every file is formatted", run: format },
     Step { name: "layers", what: "files import downwards, and in no circle", run: layers },
     Step { name: "lints", what: "clippy, on all members and all features", run: lints },
@@ -38,6 +43,16 @@ const STEPS: [Step; 21] = [
         run: features,
     },
     Step { name: "members", what: "tests of the test kit and of the chores", run: members },
+    Step {
+        name: "tools",
+        what: "Debian's packages for the rest are installed",
+        run: tools::ensure_all,
+    },
+];
+
+/// A lane: steps that build for this computer, in `target` itself, and at the end some that build firmware, under
+/// names that the other lane builds nothing else under.
+const HOST: &[Step] = &[
     Step { name: "docs", what: "documentation without a warning", run: docs },
     Step { name: "accuracy", what: "every target, against exact arithmetic", run: accuracy },
     Step {
@@ -54,42 +69,64 @@ const STEPS: [Step; 21] = [
     },
     Step { name: "web", what: "the page in a browser has the host's bits", run: page },
     Step { name: "c", what: "programs in C have the host's rows, also on two boards", run: in_c },
+    Step { name: "device", what: "parts sent to firmware, and its pictures of them", run: parts },
+    Step { name: "template", what: "a firmware of one's own has the host's rows", run: template },
+    Step { name: "pico", what: "a Pico in another emulator has the host's picture", run: pico },
+];
+
+/// A lane: steps that build firmware, in folders of `target/boards`. `boards`, `log` and `faults` must be in one lane:
+/// they build the example `stream` with different features, each over the one before.
+const FIRMWARE: &[Step] = &[
+    Step { name: "hals", what: "firmware of boards that people own builds", run: all_hals },
     Step {
         name: "boards",
         what: "firmware on five boards: pictures, sizes, instructions",
         run: all_boards,
     },
-    Step { name: "device", what: "parts sent to firmware, and its pictures of them", run: parts },
-    Step { name: "pico", what: "a Pico in another emulator has the host's picture", run: pico },
-    Step { name: "hals", what: "firmware of boards that people own builds", run: all_hals },
-    Step { name: "template", what: "a firmware of one's own has the host's rows", run: template },
     Step { name: "log", what: "firmware's log", run: logs },
     Step { name: "faults", what: "firmware on a line with faults", run: with_faults },
 ];
 
-/// Does all steps, or those that were chosen, up to the first that fails.
+fn steps() -> impl Iterator<Item = &'static Step> {
+    [ALONE, HOST, FIRMWARE].into_iter().flatten()
+}
+
+/// Does all steps, or those that were chosen in their order, up to the first that fails.
 pub fn run(chosen: &Ci) -> Result<(), String> {
     if chosen.list {
-        STEPS.iter().for_each(|step| println!("{:10}{}", step.name, step.what));
+        steps().for_each(|step| println!("{:10}{}", step.name, step.what));
         return Ok(());
     }
     let find = |name: &String| {
-        let step = STEPS.iter().find(|step| step.name == name);
-        step.ok_or_else(|| format!("there is no step `{name}`; `cargo xtask ci --list` names them"))
-    };
-    let steps: Vec<&Step> = if chosen.step.is_empty() {
-        STEPS.iter().collect()
-    } else {
-        chosen.step.iter().map(find).collect::<Result<_, _>>()?
+        steps()
+            .find(|step| step.name == name)
+            .ok_or_else(|| format!("there is no step `{name}`; `cargo xtask ci --list` names them"))
     };
     let start = Instant::now();
-    for step in steps {
-        println!("\n=== {}: {}", step.name, step.what);
-        let begin = Instant::now();
-        (step.run)().map_err(|problem| format!("step `{}` failed: {problem}", step.name))?;
-        println!("=== {}: {:.0} s", step.name, begin.elapsed().as_secs_f32());
+    if chosen.step.is_empty() {
+        all()?;
+    } else {
+        let steps: Vec<&Step> = chosen.step.iter().map(find).collect::<Result<_, _>>()?;
+        steps.into_iter().try_for_each(do_one)?;
     }
-    println!("\n=== all in {:.0} s", start.elapsed().as_secs_f32());
+    if chosen.step.len() != 1 {
+        println!("\n=== all in {:.0} s", start.elapsed().as_secs_f32());
+    }
+    Ok(())
+}
+
+fn all() -> Result<(), String> {
+    // Its path, before a step builds it anew.
+    let program = env::current_exe().map_err(|error| error.to_string())?;
+    ALONE.iter().try_for_each(do_one)?;
+    lanes::run(&[HOST, FIRMWARE], |step| lanes::apart(&program, step))
+}
+
+fn do_one(step: &Step) -> Result<(), String> {
+    println!("\n=== {}: {}", step.name, step.what);
+    let begin = Instant::now();
+    (step.run)().map_err(|problem| format!("step `{}` failed: {problem}", step.name))?;
+    println!("=== {}: {:.0} s", step.name, begin.elapsed().as_secs_f32());
     Ok(())
 }
 
@@ -194,102 +231,58 @@ fn is_packaged(path: &str) -> bool {
 }
 
 fn scad() -> Result<(), String> {
-    if !has_program("openscad") {
-        install(&["openscad"])?;
-    }
+    tools::ensure(&[Purpose::Scad])?;
     done(&mut command("cargo test --package scancsg-scad -- --include-ignored"))
 }
 
 fn package_of_python() -> Result<(), String> {
-    if output(&mut command("python3 -m pip --version")).is_err() {
-        install(&["python3-pip"])?;
-    }
+    tools::ensure(&[Purpose::Python])?;
     python::check()
 }
 
 fn pico() -> Result<(), String> {
-    ensure_board_tools()?;
-    let missing: Vec<&str> = [("node", "nodejs"), ("npm", "npm")]
-        .into_iter()
-        .filter(|(program, _)| !has_program(program))
-        .map(|(_, package)| package)
-        .collect();
-    install(&missing)?;
+    tools::ensure(&[Purpose::Boards, Purpose::Node])?;
     pico::check()
 }
 
 fn all_hals() -> Result<(), String> {
-    ensure_board_tools()?;
+    tools::ensure(&[Purpose::Boards])?;
     hals::check()
 }
 
 fn template() -> Result<(), String> {
-    ensure_board_tools()?;
+    tools::ensure(&[Purpose::Boards])?;
     template::check()
 }
 
 fn page() -> Result<(), String> {
-    let mut packages = Vec::new();
-    if !has_program("chromium") {
-        packages.push("chromium");
-    }
-    if !toolchain::is_there(toolchain::WEB) {
-        packages.extend(toolchain::DEBIAN_PACKAGES.split(' '));
-    }
-    install(&packages)?;
+    tools::ensure(&[Purpose::Browser])?;
     web::run(&web::Web { test: true })
 }
 
 fn in_c() -> Result<(), String> {
-    ensure_board_tools()?;
-    if !has_program(c::CROSS) {
-        install(&["gcc-arm-none-eabi"])?;
-    }
+    tools::ensure(&[Purpose::Boards, Purpose::C])?;
     c::check()
 }
 
 fn all_boards() -> Result<(), String> {
-    ensure_board_tools()?;
+    tools::ensure(&[Purpose::Boards])?;
     boards::measure(&Boards::default())
 }
 
 fn parts() -> Result<(), String> {
-    ensure_board_tools()?;
+    tools::ensure(&[Purpose::Boards])?;
     device::check(&device::SHORT)
 }
 
 fn logs() -> Result<(), String> {
-    ensure_board_tools()?;
+    tools::ensure(&[Purpose::Boards])?;
     Board::SHORT.iter().try_for_each(|board| log::check(*board, Number::I16f16))
 }
 
 fn with_faults() -> Result<(), String> {
-    ensure_board_tools()?;
+    tools::ensure(&[Purpose::Boards])?;
     faults::check(&Board::SHORT, Number::I16f16)
-}
-
-/// The emulator, and compilers for the boards, from Debian where they are missing.
-fn ensure_board_tools() -> Result<(), String> {
-    let mut packages = Vec::new();
-    if !has_program("qemu-system-arm") {
-        packages.push("qemu-system-arm");
-    }
-    if !has_program("qemu-system-riscv32") {
-        packages.push("qemu-system-misc");
-    }
-    if Board::ALL.iter().any(|board| !toolchain::is_there(board.target())) {
-        packages.extend(toolchain::DEBIAN_PACKAGES.split(' '));
-    }
-    install(&packages)
-}
-
-/// Installs packages of Debian's.
-fn install(packages: &[&str]) -> Result<(), String> {
-    if packages.is_empty() {
-        return Ok(());
-    }
-    done(&mut command("apt-get update -q"))?;
-    done(command("apt-get install -y -q --no-install-recommends").args(packages))
 }
 
 #[cfg(test)]
@@ -323,7 +316,7 @@ mod tests {
 
     #[test]
     fn steps_have_different_names() {
-        let mut names = STEPS.map(|step| step.name);
+        let mut names: Vec<&str> = steps().map(|step| step.name).collect();
         names.sort_unstable();
         assert!(names.windows(2).all(|pair| pair[0] != pair[1]));
     }
