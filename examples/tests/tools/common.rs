@@ -4,14 +4,18 @@
 
 use rustix::fs::{OFlags, fcntl_setfl};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::{Duration, Instant};
 
 /// No tool takes so long: it hangs.
 const HANGS: Duration = Duration::from_secs(120);
+
+/// How many lines there have been.
+static LINES: AtomicU32 = AtomicU32::new(0);
 
 /// An example's binary, which `cargo test` builds beside the tests.
 pub fn example(name: &str) -> Command {
@@ -22,9 +26,19 @@ pub fn example(name: &str) -> Command {
 }
 
 /// The device's end of a serial line: a pseudo-terminal, whose other end a tool opens by its name.
+///
+/// The name is a link of this line's own. The system gives a terminal's number to the next test as soon as it is
+/// free: a tool that looks for a device that has vanished would find another test's.
 pub struct Pty {
     port: File,
     pub name: String,
+}
+
+impl Drop for Pty {
+    fn drop(&mut self) {
+        // Before the terminal is closed.
+        let _ = fs::remove_file(&self.name);
+    }
 }
 
 impl Pty {
@@ -32,7 +46,11 @@ impl Pty {
         let port = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY | OpenptFlags::CLOEXEC).unwrap();
         grantpt(&port).unwrap();
         unlockpt(&port).unwrap();
-        let name = ptsname(&port, Vec::new()).unwrap().into_string().unwrap();
+        let terminal = ptsname(&port, Vec::new()).unwrap().into_string().unwrap();
+        let line = LINES.fetch_add(1, Ordering::Relaxed);
+        let link = scratch(&format!("line-{}-{line}", std::process::id()));
+        std::os::unix::fs::symlink(terminal, &link).unwrap();
+        let name = link.to_str().unwrap().to_owned();
         fcntl_setfl(&port, OFlags::RDWR | OFlags::NONBLOCK).unwrap();
         Self { port: port.into(), name }
     }
