@@ -275,9 +275,7 @@ impl Toolchain {
             .current_dir(package)
             .args(["build", "--quiet", "--release"])
             .args(arguments)
-            .env("CARGO_TARGET_DIR", &folder)
-            // Its pieces would be other programs, of other sizes.
-            .env("CARGO_INCREMENTAL", "0");
+            .env("CARGO_TARGET_DIR", &folder);
         output(&mut command)?;
         Ok(folder.join(target).join("release"))
     }
@@ -294,7 +292,9 @@ impl Toolchain {
         command
             .current_dir(root())
             .env(format!("CARGO_TARGET_{variable}_RUSTFLAGS"), flags)
-            .env("CARGO_BUILD_TARGET", target);
+            .env("CARGO_BUILD_TARGET", target)
+            // Its pieces would be other programs, of other sizes and counts.
+            .env("CARGO_INCREMENTAL", "0");
         command
     }
 }
