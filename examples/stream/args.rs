@@ -81,8 +81,13 @@ pub struct Args {
     #[arg(long, value_name = "RATE", default_value = "0", value_parser = noise)]
     pub noise: f32,
 
+    /// How long the other end may take to answer, in milliseconds. It is asked three times
+    #[arg(long, value_name = "MS", default_value_t = 1000,
+          value_parser = clap::value_parser!(u32).range(10..=60_000))]
+    pub patience: u32,
+
     /// Don't wait for the other end's answers: the line has no way back
-    #[arg(long, requires = "port")]
+    #[arg(long, requires = "port", conflicts_with = "patience")]
     pub one_way: bool,
 
     /// Close the line after N bytes, to see what becomes of an interrupted frame

@@ -5,14 +5,15 @@ use crate::coding::Chosen;
 use crate::file;
 use crate::gallery::Assembly;
 use crate::host::receive::CAPACITY;
-use crate::line::{Line, ONE_WAY, PATIENCE};
+use crate::line::{Line, ONE_WAY, patience};
 use crate::scene::fit::Fit;
 use crate::setting::{Choice, Setting};
 use crate::shading::Shading;
 use clap::ValueEnum;
 use scancsg::geom::{OrthographicRays, PerspectiveRays, Pose, Rays};
 use scancsg::render::{
-    Blend, CameraError, Gray8, Picture, Rgb565, Size, SmoothColumn, SmoothPicture, Smoothing,
+    Blend, CameraError, Gray8, Picture, Rgb565, RowSource, Size, SmoothColumn, SmoothPicture,
+    Smoothing,
 };
 use scancsg::scalar::I16F16;
 use scancsg::solid::{Placed, Scan, Solid};
@@ -184,43 +185,81 @@ where
     P: Blend + WirePixel<Wire: Predictable>,
 {
     let size: Size = args.size;
-    let coding = match args.coding {
-        Coding::Plain => Chosen::plain(),
-        Coding::Predictive => Chosen::predictive(),
-    };
-    let patience = if args.one_way { ONE_WAY } else { PATIENCE };
-    let mut sender = Box::new(Sender::<_, CAPACITY>::new(coding, patience));
-    let (mut port, mut clock) = (line, line);
-    let mut pixels = vec![background; usize::from(size.width())];
+    let mut sending = Sending::new(args, line, background);
     let mut columns = vec![SmoothColumn::EMPTY; usize::from(size.width()) + 1];
-    let (mut unheard, mut in_a_row, mut frames) = (0, 0, 0);
     for frame in 0..args.frames {
         let turned = Placed::new(part, turn(frame)?);
         let camera = camera(frame)?;
-        let delivery = match args.smooth {
+        match args.smooth {
             None => {
                 let mut picture = Picture::new(&turned, &camera, size, shading, background);
-                serve(&mut picture, frame, &mut sender, &mut port, &mut pixels, &mut clock)
+                sending.send(&mut picture)?;
             }
             Some(samples) => {
                 let smoothing = Smoothing::new(size, samples, &mut columns)
                     .map_err(|error| error.to_string())?;
                 let mut picture =
                     SmoothPicture::new(&turned, &camera, smoothing, shading, background);
-                serve(&mut picture, frame, &mut sender, &mut port, &mut pixels, &mut clock)
+                sending.send(&mut picture)?;
             }
-        };
-        let delivery = delivery.map_err(|error| describe_error(&error))?;
-        let is_unheard = delivery == Delivery::Unheard;
-        unheard += u32::from(is_unheard);
-        in_a_row = if is_unheard { in_a_row + 1 } else { 0 };
-        frames += 1;
+        }
         sent(frame);
-        if in_a_row >= UNHEARD && !args.one_way {
+        if sending.is_in_vain() {
             break;
         }
     }
-    Ok(Sent { frames, bytes: sender.bytes_sent(), unheard })
+    Ok(sending.end())
+}
+
+/// The sending end of the link. It is compiled once for all pictures of a pixel.
+struct Sending<'a, P: WirePixel<Wire: Predictable>> {
+    line: &'a Line,
+    sender: Box<Sender<Chosen<P::Wire>, CAPACITY>>,
+    pixels: Vec<P>,
+    is_one_way: bool,
+    frames: u16,
+    unheard: u32,
+    /// Frames in a row that nobody has acknowledged.
+    in_a_row: u32,
+}
+
+impl<'a, P: WirePixel<Wire: Predictable> + Clone> Sending<'a, P> {
+    fn new(args: &Args, line: &'a Line, background: P) -> Self {
+        let coding = match args.coding {
+            Coding::Plain => Chosen::plain(),
+            Coding::Predictive => Chosen::predictive(),
+        };
+        let patience = if args.one_way { ONE_WAY } else { patience(args.patience) };
+        Self {
+            line,
+            sender: Box::new(Sender::new(coding, patience)),
+            pixels: vec![background; usize::from(args.size.width())],
+            is_one_way: args.one_way,
+            frames: 0,
+            unheard: 0,
+            in_a_row: 0,
+        }
+    }
+
+    fn send(&mut self, picture: &mut dyn RowSource<Pixel = P>) -> Result<(), String> {
+        let (mut port, mut clock) = (self.line, self.line);
+        let Self { sender, pixels, .. } = self;
+        let delivery = serve(picture, self.frames, sender, &mut port, pixels, &mut clock)
+            .map_err(|error| describe_error(&error))?;
+        let is_unheard = delivery == Delivery::Unheard;
+        self.frames += 1;
+        self.unheard += u32::from(is_unheard);
+        self.in_a_row = if is_unheard { self.in_a_row + 1 } else { 0 };
+        Ok(())
+    }
+
+    fn is_in_vain(&self) -> bool {
+        self.in_a_row >= UNHEARD && !self.is_one_way
+    }
+
+    fn end(&self) -> Sent {
+        Sent { frames: self.frames, bytes: self.sender.bytes_sent(), unheard: self.unheard }
+    }
 }
 
 fn describe_error(error: &ServeError<io::Error>) -> String {

@@ -8,8 +8,10 @@ use std::collections::VecDeque;
 use std::io::{self, ErrorKind};
 use std::time::{Duration, Instant};
 
-/// Ticks are milliseconds.
-pub const PATIENCE: Patience = Patience { ticks: 1000, silences: 3 };
+/// So many milliseconds for an answer, three times.
+pub const fn patience(milliseconds: u32) -> Patience {
+    Patience { ticks: milliseconds, silences: 3 }
+}
 
 /// On a line without a way back.
 pub const ONE_WAY: Patience = Patience { ticks: 0, silences: 0 };

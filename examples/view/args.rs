@@ -58,7 +58,7 @@ pub struct Args {
     pub frames: Option<u32>,
 
     /// End after so many seconds without rows of a frame; bytes that are no packets don't count. 30 with
-    /// --frames, for ever without
+    /// --frames, for ever without. A frame is over after a third of it without rows, or 10 seconds
     #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u32).range(1..))]
     pub wait: Option<u32>,
 }

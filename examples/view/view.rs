@@ -12,7 +12,7 @@ use crate::save::Saver;
 use crate::serve::Server;
 use crate::tap::Tap;
 use clap::Parser;
-use scancsg::stream::{PROTOCOL_VERSION, PacketError};
+use scancsg::stream::{PROTOCOL_VERSION, PacketError, Timing};
 use std::fs;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -87,6 +87,13 @@ enum End {
     Damaged,
 }
 
+/// Some frames can be given up before there is an end, if it is said when that is. Before that, rows that lack
+/// are asked for.
+fn patient(timing: Timing, wait: Option<u32>) -> Timing {
+    let third = wait.map_or(timing.give_up, |seconds| seconds.saturating_mul(1000) / 3);
+    Timing { give_up: timing.give_up.min(third.max(2 * timing.ask)), ..timing }
+}
+
 /// All that goes on while frames are received.
 struct Run<'a> {
     args: &'a Args,
@@ -151,7 +158,7 @@ fn receive(args: &Args) -> Result<ExitCode, String> {
     let mut run = Run {
         args,
         device,
-        session: Session::new(tap, &mut room, timing(Some(args.baud))),
+        session: Session::new(tap, &mut room, patient(timing(Some(args.baud)), args.wait)),
         part,
         sent: 0,
         saver,

@@ -224,7 +224,11 @@ fn stream_sends_to_a_serial_device() {
 fn stream_ends_if_nobody_is_there() {
     let large = ["--size", "640x480", "--frames", "99", "--coding", "plain", "--format", "rgb565"];
     let cases = [
-        (&["--frames", "99", "--size", "48x36"][..], 3, "gave up after 3 of 99 frames"),
+        (
+            &["--frames", "99", "--size", "48x36", "--patience", "200"][..],
+            3,
+            "gave up after 3 of 99 frames",
+        ),
         (&large[..], 1, "nobody reads"),
     ];
     at_once(cases, |(more, code, hint)| {

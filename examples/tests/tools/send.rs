@@ -217,7 +217,7 @@ impl Device {
 }
 
 fn view(device: &Device, part: &std::path::Path, out: &std::path::Path) -> Guarded {
-    let arguments = ["--port", &device.port.name, "--baud", "921600", "--send"];
+    let arguments = ["--port", &device.port.name, "--baud", "921600", "--wait", "6", "--send"];
     let (part, out) = (part.to_str().unwrap(), out.to_str().unwrap());
     Guarded::spawn(example("view").args(arguments).args([part, "--out", out]))
 }
