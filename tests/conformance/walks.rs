@@ -240,27 +240,49 @@ impl<'a, R, T: Scan<R>> Staged<'a, T, R> {
         solid.view(rays, &mut staged.view);
         staged
     }
+}
 
+/// What a walk asks. The walk is compiled once for all solids of a number type.
+trait Asked<S> {
+    fn set_row(&mut self, y: i32, columns: u32);
+    fn enter(&mut self, column: u32) -> ColumnRun;
+    fn contains(&mut self, x: i32, t: S) -> bool;
+    /// On the hot path, and on the cold one.
+    fn steps(&mut self, x: i32, t: S) -> [Step<S>; 2];
+}
+
+impl<S, R, T: Scan<R, Scalar = S>> Asked<S> for Staged<'_, T, R>
+where
+    S: Scalar,
+{
     fn set_row(&mut self, y: i32, columns: u32) {
         self.solid.row(&self.view, y, columns, &mut self.row);
     }
+
+    fn enter(&mut self, column: u32) -> ColumnRun {
+        T::enter(&mut self.row, column)
+    }
+
+    fn contains(&mut self, x: i32, t: S) -> bool {
+        self.solid.contains::<Hot>(&self.view, &mut self.row, x, t)
+    }
+
+    fn steps(&mut self, x: i32, t: S) -> [Step<S>; 2] {
+        let Self { solid, view, row } = self;
+        let hot = solid.step::<Hot>(view, row, x, t, Face(0));
+        [hot, solid.step::<Cold>(view, row, x, t, Face(0))]
+    }
 }
 
-/// A row of a solid, the ways to enter it, and the row of the same solid that lists everything.
-struct Walker<'a, T: Scan<R>, W, R> {
-    walked: Staged<'a, T, R>,
-    listed: &'a W,
+/// A row of a solid, the ways to enter it, and the spans of the same solid that lists everything.
+struct Walker<'a, S: Scalar> {
+    walked: &'a mut dyn Asked<S>,
+    listed: &'a dyn Fn(&mut SpanStack<'_, S>),
     columns: u32,
     y: i32,
 }
 
-impl<S, T, W, R> Walker<'_, T, W, R>
-where
-    S: Tested,
-    R: Rays<Scalar = S>,
-    T: Scan<R, Scalar = S>,
-    W: Solid<Scalar = S>,
-{
+impl<S: Tested> Walker<'_, S> {
     /// Enters each run once and asks in all of its columns; then each column on its own, from the last one
     /// to the first, and every third one. Returns the number of crossings.
     fn check_row(&mut self) -> Result<u32, TestCaseError> {
@@ -269,14 +291,14 @@ where
         let mut run = ColumnRun { is_visible: false, until: 0 };
         for index in 0..self.columns {
             if index == run.until {
-                run = T::enter(&mut self.walked.row, index);
+                run = self.walked.enter(index);
                 prop_assert!(run.until > index, "a run without a column");
             }
             crossings += self.check(index, run, &lists)?;
         }
         let back = (0..self.columns).rev();
         for index in back.chain((0..self.columns).step_by(3)) {
-            let run = T::enter(&mut self.walked.row, index);
+            let run = self.walked.enter(index);
             crossings += self.check(index, run, &lists)?;
         }
         Ok(crossings)
@@ -286,8 +308,7 @@ where
     fn list(&self, index: u32) -> Vec<Span<S>> {
         PIXEL.set((from_middle(index, self.columns), self.y, self.columns));
         let mut list = SpanList::<S, 64>::new();
-        let line = Line { origin: Vec3::ZERO, direction: Vec3::ZERO };
-        self.listed.spans(&line, Face(0), &mut list.stack());
+        (self.listed)(&mut list.stack());
         list.to_vec()
     }
 
@@ -298,7 +319,6 @@ where
         run: ColumnRun,
         lists: &[Vec<Span<S>>],
     ) -> Result<u32, TestCaseError> {
-        let Staged { solid, view, row } = &mut self.walked;
         let x = from_middle(index, self.columns);
         let list = &lists[index as usize];
         let mut wanted = list.iter().flat_map(|span| [span.enter, span.exit]);
@@ -310,9 +330,9 @@ where
         if run.is_visible {
             let mut t = S::LOWEST;
             loop {
-                prop_assert_eq!(solid.contains::<Hot>(view, row, x, t), inside);
-                let step = solid.step::<Hot>(view, row, x, t, Face(0));
-                prop_assert_eq!(step, solid.step::<Cold>(view, row, x, t, Face(0)));
+                prop_assert_eq!(self.walked.contains(x, t), inside);
+                let [step, cold] = self.walked.steps(x, t);
+                prop_assert_eq!(step, cold);
                 prop_assert_eq!(step.inside, inside);
                 if step.next.t == S::HIGHEST {
                     break;
@@ -347,7 +367,10 @@ where
     LEAVES.with_borrow_mut(Vec::clear);
     let mut view = W::View::EMPTY;
     all.view(rays, &mut view);
-    let mut walker = Walker { walked: Staged::new(solid, rays), listed: all, columns, y: 0 };
+    let line = Line { origin: Vec3::ZERO, direction: Vec3::ZERO };
+    let listed = |stack: &mut SpanStack<'_, S>| all.spans(&line, Face(0), stack);
+    let walked = &mut Staged::new(solid, rays);
+    let mut walker = Walker { walked, listed: &listed, columns, y: 0 };
     let mut crossings = 0;
     // In order, and in another one.
     for y in (0..height).chain((0..height).rev().step_by(3)) {
