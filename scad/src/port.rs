@@ -52,7 +52,7 @@ mod tests {
     use super::on_line;
     use crate::host::port::loopback;
     use crate::host::wire::{Trouble, Wire};
-    use crate::line::{Line, PATIENCE};
+    use crate::line::{Line, patience};
     use scancsg::geom::vec3;
     use scancsg::program::Program;
     use scancsg::render::{Gray8, Lambert, Orthographic, Picture, RowSource, Size};
@@ -90,7 +90,7 @@ mod tests {
             let (camera, light, size) = from_above()?;
             let mut picture = Picture::new(&part, &camera, size, light, Gray8(7));
             const CAPACITY: usize = packet_capacity(SIDE, PixelFormat::Gray8);
-            let mut sender = Sender::<_, CAPACITY>::new(Plain, PATIENCE);
+            let mut sender = Sender::<_, CAPACITY>::new(Plain, patience(1000));
             let mut row = [Gray8(0); SIDE as usize];
             serve(&mut picture, 0, &mut sender, &mut &line, &mut row, &mut &line).ok().map(|_| ())
         });
