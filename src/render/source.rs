@@ -5,8 +5,8 @@ use crate::geom::Rays;
 use crate::solid::{Scan, Solid};
 use core::ops::Range;
 
-/// Renders rows of pixels in any order, and each one again to the same bits: what a sender, a display or
-/// a test takes, whatever picture it gets.
+/// A source of rows: renders any row in any order, and again to the same bits. Take it where your code sends,
+/// shows or tests a picture.
 ///
 /// [`Picture`] and [`SmoothPicture`] are such sources. A `&mut dyn RowSource<Pixel = Gray8>` is one too, so
 /// that code around several kinds of pictures is compiled once.

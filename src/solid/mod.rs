@@ -30,7 +30,7 @@
 //! | ask where a single ray meets it | [`RayCast`] |
 //! | add a solid of your own | implement [`Shape`] and [`Solid`], wrap it in [`ByLine`] |
 //! | wrap solids in a type of your own | [`Wrap`] |
-
+//!
 //! Constructors come in pairs: a `const` one for each number type, and one that a type parameter can call.
 //!
 //! | solid | in constants, `T::<f32>::…` | for any number type, `T::<S>::…` |

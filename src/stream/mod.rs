@@ -18,7 +18,7 @@
 //! # Format
 //!
 //! The version is 2; another one is refused by name ([`PacketError::Version`]).
-//! `docs/link.md` in the repository has every byte, and a decoder of 40 lines.
+//! `docs/link.md` in the repository has every byte, and a decoder in Python.
 //!
 //! A packet is `[kind u8][body][CRC u32]`, all numbers little-endian. The CRC-32/ISO-HDLC (that of zlib)
 //! covers kind and body. The packet is framed by Consistent Overhead Byte Stuffing (S. Cheshire, M. Baker,
