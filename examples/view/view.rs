@@ -87,8 +87,7 @@ enum End {
     Damaged,
 }
 
-/// Some frames can be given up before there is an end, if it is said when that is. Before that, rows that lack
-/// are asked for.
+/// With `--wait`, a frame is given up after a third of it, but not before its missing rows were asked for twice.
 fn patient(timing: Timing, wait: Option<u32>) -> Timing {
     let third = wait.map_or(timing.give_up, |seconds| seconds.saturating_mul(1000) / 3);
     Timing { give_up: timing.give_up.min(third.max(2 * timing.ask)), ..timing }
